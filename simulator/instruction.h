@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What describes an instruction: name, meaning, class, what it charges. See docs/conventions.md.
+#pragma once
+
+#include <string_view>
+
+namespace lanescope {
+
+/// The lanes an issued instruction is charged as doing work.
+enum class Charge {
+  kActiveLanes,  ///< The lanes that are on in its block.
+  kAllLanes,     ///< All W lanes, whatever the mask.
+  kOneLane,      ///< One lane.
+};
+
+enum class InstructionClass { kArithmetic, kInteger, kCompare, kConvert, kMove, kMask, kMemory, kReduce, kScan, kSpecial };
+
+/// The descriptor that every instruction struct carries as `kInfo`; its address identifies the
+/// instruction, its mnemonic names it in reports and must be unique.
+struct InstructionInfo {
+  std::string_view mnemonic;
+  std::string_view meaning;
+  InstructionClass instruction_class;
+  Charge charge = Charge::kActiveLanes;
+};
+
+std::string_view to_string(Charge charge);
+std::string_view to_string(InstructionClass instruction_class);
+
+}  // namespace lanescope

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Where the samples are: one in each sub-pixel cell, at its centre or jittered.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace lanescope {
+
+/// A pixel is divided into samples_per_axis x samples_per_axis square cells, each with one sample
+/// (Cook's jittered sampling; the thesis, 2.3). Positions are in cells: cell (x, y) covers
+/// [x, x + 1) x [y, y + 1), and its sample's index is y * width_cells() + x.
+class SampleGrid {
+ public:
+  /// Number of jitter offsets; sample i uses offset i % kJitterPeriod.
+  static constexpr int kJitterPeriod = 4096;
+
+  /// `samples_per_pixel` is 1, 4, 9, 16 or 64. With `jitter` off, samples lie at cell centres.
+  /// Offsets are multiples of kSubpixel in [0, 1), decided by `seed`.
+  /// Throws InputError for other sample counts and for frames that are empty or larger than
+  /// 16384 x 16384 cells.
+  SampleGrid(int width_px, int height_px, int samples_per_pixel, bool jitter, std::uint64_t seed);
+
+  int width_px() const { return width_px_; }
+  int height_px() const { return height_px_; }
+  int samples_per_axis() const { return samples_per_axis_; }
+  int samples_per_pixel() const { return samples_per_axis_ * samples_per_axis_; }
+  int width_cells() const { return width_px_ * samples_per_axis_; }
+  int height_cells() const { return height_px_ * samples_per_axis_; }
+  std::int64_t sample_count() const { return std::int64_t{width_cells()} * height_cells(); }
+
+  /// [kJitterPeriod] offsets of the sample from the corner of its cell, in cells.
+  const float* jitter_x() const { return jitter_x_.data(); }
+  const float* jitter_y() const { return jitter_y_.data(); }
+
+ private:
+  int width_px_;
+  int height_px_;
+  int samples_per_axis_;
+  std::vector<float> jitter_x_;
+  std::vector<float> jitter_y_;
+};
+
+}  // namespace lanescope
