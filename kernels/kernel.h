@@ -11,16 +11,10 @@
 
 #include "kernels/frame.h"
 #include "simulator/counts.h"
+#include "simulator/mode.h"
 #include "workloads/micropolygon.h"
 
 namespace lanescope {
-
-/// How the machine runs a kernel; one kernel source serves all of them.
-enum class Mode {
-  kCounting,  ///< Counts instructions and lanes.
-  kChecked,   ///< Counts, poisons dead lanes, and checks every memory access and lane use.
-  kUncounted, ///< Counts nothing: a native-speed rasterizer.
-};
 
 /// When the edge equations of a micropolygon are computed (the thesis, 3.2.1, "optional").
 enum class Edges {
