@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Micropolygons as the kernels read them: packets in structure-of-arrays form, in tessellator order.
-// Plain data; coordinates are defined in docs/conventions.md.
+// Micropolygons as the kernels read them: packets in structure-of-arrays form, in tessellator
+// order. Plain data; coordinates are defined in docs/conventions.md.
 #pragma once
 
 #include <array>
@@ -57,7 +57,9 @@ class Packet {
   std::uint64_t first_id = 0;
 
   /// [padded_capacity] values of one attribute of one corner.
-  const float* values(int corner, Attribute attribute) const { return data_.get() + offset(corner, attribute); }
+  const float* values(int corner, Attribute attribute) const {
+    return data_.get() + offset(corner, attribute);
+  }
 
   /// Appends a micropolygon; `corners` points to corner_count(shape()) vertices. Requires !full().
   void append(const Vertex* corners);

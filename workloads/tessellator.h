@@ -5,8 +5,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
+#include "workloads/camera.h"
+#include "workloads/grid.h"
 #include "workloads/micropolygon.h"
+#include "workloads/patch.h"
 #include "workloads/scene.h"
 
 namespace lanescope {
@@ -21,15 +25,19 @@ struct TessellationOptions {
   int grid_limit = 16;
   /// Micropolygons in a packet; kernels drain at its end (the `--drain` option).
   int packet_capacity = 1920;
+  /// How far the outer vertices of each grid are moved outward, so that neighbouring grids of
+  /// different rates leave no cracks.
+  float grid_overlap_px = kGridOverlapPx;
 };
 
 /// What the tessellator did; sums over segments.
 struct TessellationCounts {
-  std::uint64_t patches_culled = 0;   ///< Patches dropped because they are outside the view.
+  std::uint64_t patches_culled = 0;  ///< Patches dropped because they are outside the view.
   std::uint64_t patches_split = 0;
+  std::uint64_t patches_dropped = 0;  ///< Still partly behind the camera at the depth limit.
   std::uint64_t grids = 0;
-  std::uint64_t micropolygons = 0;    ///< Emitted.
-  std::uint64_t dropped = 0;          ///< Not emitted: behind the camera or not finite.
+  std::uint64_t micropolygons = 0;  ///< Emitted.
+  std::uint64_t dropped = 0;        ///< Not emitted: behind the camera or not finite.
 
   TessellationCounts& operator+=(const TessellationCounts& other);
 };
@@ -44,15 +52,20 @@ class Tessellator {
   /// Keeps a reference to `scene`. Throws InputError for options out of range.
   Tessellator(const Scene& scene, const TessellationOptions& options);
 
-  int segment_count() const;
+  int segment_count() const { return static_cast<int>(segment_starts_.size()) - 1; }
 
   /// Tessellates one segment and hands each packet, full or the segment's last, to `sink`; the
   /// packet is reused after the call. Thread-safe. Micropolygon ids are segment << 32 | index.
   TessellationCounts tessellate(int segment, const PacketSink& sink) const;
 
  private:
+  void divide_into_segments();
+
   const Scene& scene_;
   TessellationOptions options_;
+  Projection projection_;
+  std::vector<Patch> patches_;               ///< Of all segments, in order.
+  std::vector<std::size_t> segment_starts_;  ///< Segment s is patches [starts[s], starts[s + 1]).
 };
 
 }  // namespace lanescope
