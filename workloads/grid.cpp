@@ -15,7 +15,7 @@ void Grid::dice(const Patch& patch, int columns, int rows) {
   vertices_.resize(count);
   valid_.resize(count);
   evaluate(patch);
-  shade();
+  shade(patch.surface);
   project();
   if (overlap_px_ > 0.0f) extend_edges();
   snap();
@@ -80,10 +80,17 @@ void Grid::fill_degenerate_normals() {
     }
 }
 
-void Grid::shade() {
+void Grid::shade(const Surface* surface) {
+  const Vec3 centre = (points_.front().position + points_.back().position) * 0.5f;
+  float radius2 = 0.0f;
+  for (const SurfacePoint& point : points_) {
+    const Vec3 d = point.position - centre;
+    radius2 = std::max(radius2, dot(d, d));
+  }
+  lighting_.shadowers_near(surface, centre, std::sqrt(radius2), shadowers_);
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    const Vec3 colour =
-        lighting_.shade(materials_[i], points_[i].position, normals_[i], projection_.eye());
+    const Vec3 colour = lighting_.shade(materials_[i], points_[i].position, normals_[i],
+                                        projection_.eye(), shadowers_);
     Vertex& vertex = vertices_[i];
     vertex[Attribute::kRed] = colour.x;
     vertex[Attribute::kGreen] = colour.y;

@@ -45,7 +45,7 @@ class Grid {
   void evaluate(const Patch& patch);
   void take_normals_from_differences(const std::vector<SurfacePoint>& ringed);
   void fill_degenerate_normals();
-  void shade();
+  void shade(const Surface* surface);
   void project();
   void extend_edges();
   void extend(std::size_t outer, std::size_t inner);
@@ -60,6 +60,7 @@ class Grid {
   std::vector<SurfacePoint> points_;
   std::vector<Vec3> normals_;
   std::vector<Material> materials_;
+  std::vector<Shadower> shadowers_;  ///< Of those of the lighting, the ones near.
   std::vector<Vertex> vertices_;
   std::vector<std::uint8_t> valid_;
 };

@@ -2,6 +2,7 @@
 // How a vertex gets its colour: a sun, a sky, a little haze, and round bodies that cast shadows.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "workloads/vector.h"
@@ -16,10 +17,14 @@ struct Material {
   float openness = 1.0f;  ///< Share of the sky that reaches the point: less in furrows.
 };
 
-/// A sphere that casts shadows, standing in for a body near it.
+class Surface;
+
+/// A sphere that casts shadows, standing in for a body.
 struct Shadower {
   Vec3 centre;
   float radius = 0.0f;
+  /// The body, on which it casts none: the angle to the light shades it already.
+  const Surface* body = nullptr;
 };
 
 /// Colours of light are linear; 1 is the brightness of a white wall in the sun.
@@ -33,9 +38,14 @@ struct Lighting {
   float haze_length = 1.0f;  ///< Distance over which haze grows to one half.
   std::vector<Shadower> shadowers;
 
-  /// The colour, as displayed (gamma 2, each channel in [0, 1]), of a point seen from `eye`.
-  /// Requires a unit normal; points within a shadower are not shadowed by it.
-  Vec3 shade(const Material& material, Vec3 position, Vec3 normal, Vec3 eye) const;
+  /// Writes to `near` the shadowers that may darken points of `surface` within a sphere.
+  void shadowers_near(const Surface* surface, Vec3 centre, float radius,
+                      std::vector<Shadower>& near) const;
+
+  /// The colour, as displayed (gamma 2, each channel in [0, 1]), of a point seen from `eye` and
+  /// shadowed by `near`. Requires a unit normal.
+  Vec3 shade(const Material& material, Vec3 position, Vec3 normal, Vec3 eye,
+             std::span<const Shadower> near) const;
 };
 
 }  // namespace lanescope

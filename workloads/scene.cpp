@@ -5,6 +5,14 @@
 
 namespace lanescope {
 
+void Scene::add(std::unique_ptr<Surface> surface, std::vector<Shadower> shadowers) {
+  for (Shadower& shadower : shadowers) {
+    shadower.body = surface.get();
+    lighting.shadowers.push_back(shadower);
+  }
+  add(std::move(surface));
+}
+
 const SceneDescriptor& find_scene(std::string_view name) {
   std::vector<std::string> names;
   for (const SceneDescriptor* scene : scenes()) {

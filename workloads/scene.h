@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "workloads/camera.h"
@@ -16,6 +17,11 @@ struct Scene {
   Camera camera;
   Lighting lighting;
   std::vector<std::unique_ptr<Surface>> surfaces;
+
+  /// Adds a surface.
+  void add(std::unique_ptr<Surface> surface) { surfaces.push_back(std::move(surface)); }
+  /// Adds a surface for which spheres cast shadows on the others.
+  void add(std::unique_ptr<Surface> surface, std::vector<Shadower> shadowers);
 };
 
 /// A built-in scene; workloads/scenes/<name>.cpp ends in one, and the registry lists them.

@@ -17,7 +17,7 @@ constexpr int kMaxSegmentDepth = 10;
 
 // Quads in a segment, about: large enough that a segment's last packet, which is not full, matters
 // little; small enough to keep many threads busy.
-constexpr float kSegmentQuads = 20000.0f;
+constexpr float kSegmentQuads = 60000.0f;
 
 struct Rates {
   float columns = 1.0f;

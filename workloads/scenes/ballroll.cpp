@@ -20,8 +20,8 @@ float ball_x(int frame) {
 /// Height of the sand without ripples: level near the ball, dunes far behind.
 float dune_height(float x, float z) {
   const float far_away = smooth_step(3.0f, 26.0f, -z);
-  return far_away * (3.2f + 2.4f * noise({x * 0.09f, 0.5f, z * 0.13f})) +
-         0.22f * noise({x * 0.3f, 3.5f, z * 0.3f});
+  return far_away * (5.2f + 2.4f * noise({x * 0.09f, 0.5f, z * 0.13f})) +
+         0.2f * noise({x * 0.3f, 3.5f, z * 0.3f});
 }
 
 struct Sand {
@@ -33,12 +33,12 @@ struct Sand {
     return sheet_point(patch, u, v, {0.0f, 1.2f, 0.0f}, [this](float s, float t) {
       const float x = (s - 0.5f) * 64.0f;
       const float z = 9.0f - t * 52.0f;
-      const float grain = fractal_noise({x * 3.1f, 0.0f, z * 3.1f}, 3, 0.45f);
+      const float grain = fractal_noise({x * 2.6f, 0.0f, z * 2.6f}, 2);
       const float bend = noise({x * 0.35f, 7.0f, z * 0.35f});
       const float ripple = sin_turns(z * 1.7f + x * 0.4f + bend * 1.2f);
       const float across = z * (1.0f / 0.62f);
       const float in_track = hill(across * across) * smooth_step(0.4f, -0.4f, x - track_end_x);
-      const float relief = (0.045f * ripple + 0.05f * grain) * (1.0f - 0.6f * in_track);
+      const float relief = (0.024f * ripple + 0.035f * grain) * (1.0f - 0.6f * in_track);
       SurfacePoint p;
       p.position = {x, dune_height(x, z) + relief - 0.16f * in_track, z};
       p.pattern = {x, z, in_track};
@@ -50,10 +50,10 @@ struct Sand {
   static Material material(const SurfacePoint& p, Vec3 /*normal*/) {
     Material m;
     const float patchy = noise({p.pattern.x * 0.8f, 1.0f, p.pattern.y * 0.8f});
-    m.albedo = mix(Vec3{0.62f, 0.42f, 0.23f}, Vec3{0.80f, 0.62f, 0.38f},
+    m.albedo = mix(Vec3{0.36f, 0.21f, 0.10f}, Vec3{0.56f, 0.38f, 0.20f},
                    saturate(0.5f + 0.5f * patchy + p.relief * 4.0f));
     m.albedo = m.albedo * (1.0f - 0.25f * p.pattern.z);
-    m.openness = saturate(0.85f + p.relief * 3.0f);
+    m.openness = saturate(0.85f + p.relief * 6.0f);
     return m;
   }
 };
@@ -128,9 +128,8 @@ void add_pebbles(Scene& scene) {
     if (std::abs(z) < 1.0f) continue;
     const float radius = 0.10f + 0.34f * random(2) * random(3);
     const Vec3 centre{x, dune_height(x, z) + radius * 0.35f, z};
-    scene.surfaces.push_back(make_surface(
-        Pebble{centre, radius, {random(4) * 40.0f, random(5) * 40.0f, random(6) * 40.0f}}));
-    scene.lighting.shadowers.push_back({centre, radius});
+    const Vec3 seed{random(4) * 40.0f, random(5) * 40.0f, random(6) * 40.0f};
+    scene.add(make_surface(Pebble{centre, radius, seed}), {{centre, radius * 0.85f}});
   }
 }
 
@@ -138,19 +137,18 @@ Scene build(int frame) {
   Scene scene;
   const float x = ball_x(frame);
   const Vec3 centre{x, kBallRadius - 0.12f + dune_height(x, 0.0f), 0.0f};
-  scene.camera.eye = {0.6f, 2.5f, 8.2f};
-  scene.camera.target = {0.0f, 1.0f, 0.0f};
+  scene.camera.eye = {0.6f, 3.6f, 8.6f};
+  scene.camera.target = {0.0f, 0.75f, 0.0f};
   scene.camera.field_degrees = 32.0f;
   scene.camera.near = 0.5f;
   scene.lighting.to_sun = normalized({-0.62f, 0.52f, 0.42f});
-  scene.lighting.sun = {2.1f, 1.75f, 1.3f};
+  scene.lighting.sun = {1.35f, 1.1f, 0.8f};
   scene.lighting.haze = {0.9f, 0.72f, 0.56f};
   scene.lighting.haze_start = 10.0f;
   scene.lighting.haze_length = 34.0f;
-  scene.lighting.shadowers.push_back({centre, kBallRadius});
-  scene.surfaces.push_back(make_surface(Sand{x}));
+  scene.add(make_surface(Sand{x}));
   const float circumference = 2.0f * std::numbers::pi_v<float> * kBallRadius;
-  scene.surfaces.push_back(make_surface(Ball{centre, x / circumference}));
+  scene.add(make_surface(Ball{centre, x / circumference}), {{centre, kBallRadius}});
   add_pebbles(scene);
   return scene;
 }
