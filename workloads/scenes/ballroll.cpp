@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A stitched ball rolls over sand among pebbles and leaves a track.
 #include "simulator/base/random.h"
-#include "workloads/noise.h"
-#include "workloads/parametric_surface.h"
 #include "workloads/scene.h"
-#include "workloads/shapes.h"
+#include "workloads/scenes/parts.h"
 
 namespace lanescope {
 namespace {
@@ -90,35 +88,6 @@ struct Ball {
   }
 };
 
-struct Pebble {
-  Vec3 centre;
-  float radius;
-  Vec3 seed;
-
-  static int patch_count() { return 6; }
-
-  SurfacePoint point(int face, float u, float v) const {
-    const Vec3 d = cube_sphere_direction(face, u, v);
-    const float lumps = noise(d * 1.3f + seed);
-    const float rough = fractal_noise(d * 6.0f + seed, 2);
-    SurfacePoint p;
-    p.relief = 0.28f * lumps + 0.035f * rough;
-    p.position = centre + Vec3{1.0f, 0.68f, 0.9f} * d * (radius * (1.0f + p.relief));
-    p.pattern = d * 2.0f + seed;
-    return p;
-  }
-
-  static Material material(const SurfacePoint& p, Vec3 /*normal*/) {
-    Material m;
-    const float vein = smooth_step(0.12f, 0.0f, std::abs(noise(p.pattern * 1.7f)));
-    m.albedo = mix(Vec3{0.26f, 0.27f, 0.30f}, Vec3{0.55f, 0.52f, 0.48f}, vein);
-    m.gloss = 0.12f;
-    m.sharpness = 4;
-    m.openness = saturate(0.85f + p.relief);
-    return m;
-  }
-};
-
 void add_pebbles(Scene& scene) {
   constexpr int kPebbles = 34;
   for (std::uint64_t i = 0; i < kPebbles; ++i) {
@@ -129,7 +98,7 @@ void add_pebbles(Scene& scene) {
     const float radius = 0.10f + 0.34f * random(2) * random(3);
     const Vec3 centre{x, dune_height(x, z) + radius * 0.35f, z};
     const Vec3 seed{random(4) * 40.0f, random(5) * 40.0f, random(6) * 40.0f};
-    scene.add(make_surface(Pebble{centre, radius, seed}), {{centre, radius * 0.85f}});
+    scene.add(make_surface(Stone{centre, radius, seed}), {{centre, radius * 0.85f}});
   }
 }
 
