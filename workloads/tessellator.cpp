@@ -19,6 +19,10 @@ constexpr int kMaxSegmentDepth = 10;
 // little; small enough to keep many threads busy.
 constexpr float kSegmentQuads = 60000.0f;
 
+// The quads of a grid differ in size, because of perspective and displacement: grids aim at this
+// share of the target area, so that few quads come out larger than it.
+constexpr float kAim = 0.9f;
+
 struct Rates {
   float columns = 1.0f;
   float rows = 1.0f;
@@ -27,7 +31,7 @@ struct Rates {
 /// How many quads of the target area cover a patch along u and v, not rounded: as many as its
 /// projected area asks for, in the proportion of its sides.
 Rates dice_rates(const PatchProbe& probe, float dice_area_px) {
-  const float quads = probe.area_px / dice_area_px;
+  const float quads = probe.area_px / (kAim * dice_area_px);
   const float proportion = (probe.length_u + 1e-6f) / (probe.length_v + 1e-6f);
   return {std::sqrt(quads * proportion), std::sqrt(quads / proportion)};
 }
@@ -186,7 +190,7 @@ void Tessellator::divide_into_segments() {
     const PatchProbe seen = probe(patch, projection_);
     const bool inside = seen.place == PatchProbe::Place::kInside;
     const bool crossing = seen.place == PatchProbe::Place::kCrossing;
-    const float quads = inside ? seen.area_px / options_.dice_area_px : 0.0f;
+    const float quads = inside ? seen.area_px / (kAim * options_.dice_area_px) : 0.0f;
     if ((crossing && patch.depth < kMaxSegmentDepth) ||
         (quads > kSegmentQuads && patch.depth < kMaxDepth)) {
       const auto [low, high] = patch.halves(seen.length_u >= seen.length_v);

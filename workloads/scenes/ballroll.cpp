@@ -29,14 +29,14 @@ struct Sand {
 
   SurfacePoint point(int patch, float u, float v) const {
     return sheet_point(patch, u, v, {0.0f, 1.2f, 0.0f}, [this](float s, float t) {
-      const float x = (s - 0.5f) * 64.0f;
-      const float z = 9.0f - t * 52.0f;
+      const Vec3 at = turned_y({(s - 0.5f) * 84.0f, 0.0f, (0.5f - t) * 84.0f}, 0.03f);
+      const float x = at.x, z = at.z - 16.0f;
       const float grain = fractal_noise({x * 2.6f, 0.0f, z * 2.6f}, 2);
       const float bend = noise({x * 0.35f, 7.0f, z * 0.35f});
       const float ripple = sin_turns(z * 1.7f + x * 0.4f + bend * 1.2f);
       const float across = z * (1.0f / 0.62f);
       const float in_track = hill(across * across) * smooth_step(0.4f, -0.4f, x - track_end_x);
-      const float relief = (0.024f * ripple + 0.035f * grain) * (1.0f - 0.6f * in_track);
+      const float relief = (0.020f * ripple + 0.026f * grain) * (1.0f - 0.6f * in_track);
       SurfacePoint p;
       p.position = {x, dune_height(x, z) + relief - 0.16f * in_track, z};
       p.pattern = {x, z, in_track};

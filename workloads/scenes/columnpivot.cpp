@@ -33,7 +33,7 @@ struct Shaft {
         std::abs(height * (1.0f / 1.6f) - std::floor(height * (1.0f / 1.6f) + 0.5f));
     SurfacePoint p;
     p.relief =
-        -0.05f * flute + 0.010f * worn - 0.035f * chip - 0.02f * hill(joint * joint * 9000.0f);
+        -0.038f * flute + 0.010f * worn - 0.035f * chip - 0.02f * hill(joint * joint * 9000.0f);
     const float taper = 1.0f - 0.13f * v * v;
     p.position = foot + out * (kShaftRadius * taper + p.relief) + Vec3{0.0f, height, 0.0f};
     p.pattern = grain;
@@ -71,7 +71,7 @@ struct Floor {
     return sheet_point(patch, u, v, {0.0f, 0.8f, 0.0f}, [](float s, float t) {
       const float x = (s - 0.5f) * 44.0f, z = 11.0f - t * 20.5f;
       SurfacePoint p;
-      p.relief = 0.028f * slab_joint(x * 0.8f, z * 0.8f) +
+      p.relief = 0.012f * slab_joint(x * 0.8f, z * 0.8f) +
                  0.010f * fractal_noise({x * 2.3f, 0.0f, z * 2.3f}, 3);
       p.position = {x, p.relief + 0.05f * noise({x * 0.4f, 9.0f, z * 0.4f}), z};
       p.pattern = {x, 0.0f, z};
@@ -146,10 +146,10 @@ Scene build(int frame) {
   scene.lighting.haze_length = 40.0f;
   scene.add(make_surface(Floor{}));
   scene.add(make_surface(Wall{}));
-  for (int i = 0; i < 5; ++i) {
-    const float x = -8.8f + 4.1f * static_cast<float>(i);
+  for (int i = 0; i < 4; ++i) {
+    const float x = -8.3f + 5.0f * static_cast<float>(i);
     add_column(scene, x, 0.8f, static_cast<float>(i) * 7.3f);
-    add_column(scene, x + 2.1f, -5.0f, 60.0f + static_cast<float>(i) * 5.9f);
+    add_column(scene, x + 2.6f, -5.0f, 60.0f + static_cast<float>(i) * 5.9f);
   }
   return scene;
 }

@@ -51,16 +51,22 @@ struct Head {
     return height;
   }
 
-  /// Lips about a slit, which is deep where the mouth is open.
-  float mouth(Vec3 d) const {
-    const float slit = 0.035f + 0.085f * open;
-    const float middle = -0.40f - 0.04f * open - 0.06f * d.x * d.x;
-    const float across = d.x / 0.33f;
+  struct Mouth {
+    float lip;  ///< 1 on the lips.
+    float gap;  ///< 1 between them.
+  };
+
+  /// Lips about a slit that opens.
+  Mouth mouth(Vec3 d) const {
+    const float slit = 0.02f + 0.085f * open;
+    const float middle = -0.40f - 0.03f * open - 0.06f * d.x * d.x;
+    const float across = d.x / (0.34f - 0.05f * open);
     const float inside = saturate(1.0f - across * across) * (d.z > 0.0f ? 1.0f : 0.0f);
     const float y = std::abs(d.y - middle);
-    const float lip = hill((y - slit - 0.035f) * (y - slit - 0.035f) * 190.0f);
-    const float gap = smooth_step(slit, 0.3f * slit, y);
-    return inside * (0.055f * lip - (0.06f + 0.22f * open) * gap);
+    const float from_lip = y - slit * std::sqrt(inside) - 0.03f;
+    return {smooth_step(0.0f, 0.3f, inside) * hill(from_lip * from_lip * 240.0f),
+            smooth_step(slit, 0.5f * slit, y / std::max(0.2f, std::sqrt(inside))) *
+                smooth_step(0.0f, 0.2f, inside)};
   }
 
   SurfacePoint point(int face, float u, float v) const {
@@ -69,12 +75,12 @@ struct Head {
     const float strand = noise({d.x * 26.0f, d.y * 6.0f, d.z * 14.0f});
     const float lock = noise({d.x * 7.0f, d.y * 2.5f, d.z * 4.0f});
     const float pores = noise(d * 34.0f);
-    const float skin = 0.0040f * pores;
-    const float lips = mouth(d);
+    const float skin = 0.0022f * pores;
+    const Mouth lips = mouth(d);
     SurfacePoint p;
-    p.relief = lips;
+    p.relief = 0.05f * lips.lip - (0.05f + 0.20f * open) * lips.gap;
     const float radius =
-        1.0f + features(d) + lips + mix(skin, 0.09f + 0.022f * strand + 0.04f * lock, hairy);
+        1.0f + features(d) + p.relief + mix(skin, 0.09f + 0.022f * strand + 0.04f * lock, hairy);
     Vec3 q = Vec3{0.80f, 1.08f, 0.92f} * d * radius;
     const float jaw = smooth_step(-0.36f, -0.62f, d.y) * smooth_step(-0.2f, 0.4f, d.z);
     q.y -= 0.10f * open * jaw;
@@ -92,14 +98,15 @@ struct Head {
     Material m;
     m.albedo = mix(Vec3{0.60f, 0.36f, 0.25f}, Vec3{0.62f, 0.24f, 0.17f},
                    saturate(0.6f * blush + 0.15f * blotch));
-    m.albedo = mix(m.albedo, {0.48f, 0.13f, 0.11f}, saturate(p.relief * 24.0f));
-    m.albedo = mix(m.albedo, {0.10f, 0.02f, 0.02f}, saturate(-p.relief * 9.0f));
+    const Mouth lips = mouth(d);
+    m.albedo = mix(m.albedo, {0.46f, 0.13f, 0.11f}, 0.9f * lips.lip);
+    m.albedo = mix(m.albedo, {0.09f, 0.015f, 0.015f}, lips.gap);
     const float brow = bumps(d, {0.36f, 0.30f, 0.88f}, 0.28f, 0.06f);
     const float strand = noise({d.x * 26.0f, d.y * 6.0f, d.z * 14.0f});
     const Vec3 hair_colour =
         mix(Vec3{0.10f, 0.05f, 0.02f}, Vec3{0.24f, 0.12f, 0.05f}, saturate(0.5f + 0.9f * strand));
     m.albedo = mix(m.albedo, hair_colour, std::max(hair(d), saturate(1.5f * brow)));
-    m.gloss = 0.22f;
+    m.gloss = 0.22f * (1.0f - lips.gap);
     m.sharpness = 4;
     m.openness = saturate(1.0f + 2.5f * std::min(p.relief, 0.0f)) *
                  (1.0f - 0.5f * bumps(d, {0.34f, 0.13f, 0.93f}, 0.22f, 0.16f));
@@ -120,7 +127,7 @@ struct Eye {
   }
 
   static Material material(const SurfacePoint& p, Vec3 /*normal*/) {
-    const Vec3 gaze = p.pattern - Vec3{0.03f, -0.03f, 1.0f};
+    const Vec3 gaze = p.pattern - Vec3{0.07f, -0.01f, 0.997f};
     const float away = length(gaze);
     Material m;
     m.albedo =
@@ -132,23 +139,21 @@ struct Eye {
   }
 };
 
-/// Neck and shoulders in a knitted jumper.
+/// Shoulders in a knitted jumper.
 struct Shoulders {
   static int patch_count() { return 6; }
 
   SurfacePoint point(int face, float u, float v) const {
     const Vec3 d = cube_sphere_direction(face, u, v);
-    const float neck = smooth_step(0.72f, 0.97f, d.y);
     const Vec3 body = Vec3{2.15f, 1.25f, 0.95f} * d;
     const float fold = noise({body.x * 1.6f, body.y * 0.9f, body.z * 1.6f});
     const float row = body.y * 5.5f + 0.25f * fold;
     const float stitch = sin_turns(body.x * 6.5f + 0.5f * std::floor(row)) *
                          sin_turns(0.5f * (row - std::floor(row)));
     SurfacePoint p;
-    p.relief = mix(0.05f * fold + 0.016f * stitch, 0.0f, neck);
+    p.relief = 0.05f * fold + 0.016f * stitch;
     p.position = Vec3{0.0f, -2.35f, -0.25f} + body * (1.0f + p.relief);
-    p.position.y += 0.85f * neck;
-    p.pattern = {body.x, row, neck};
+    p.pattern = {body.x, row, 0.0f};
     return p;
   }
 
@@ -156,18 +161,47 @@ struct Shoulders {
     const float stripe = smooth_step(0.30f, 0.36f, std::abs(sin_turns(p.pattern.y * 0.07f)));
     Material m;
     m.albedo = mix(Vec3{0.62f, 0.50f, 0.26f}, Vec3{0.08f, 0.17f, 0.27f}, stripe);
-    m.albedo = mix(m.albedo, {0.56f, 0.32f, 0.22f}, p.pattern.z > 0.2f ? 1.0f : 0.0f);
     m.openness = saturate(0.8f + 9.0f * p.relief);
     return m;
   }
 };
 
+struct Neck {
+  static constexpr Limb kLimb{{{{{0.0f, -1.9f, 0.0f}, 0.75f},
+                                {{0.0f, -1.45f, -0.05f}, 0.66f},
+                                {{0.0f, -1.1f, -0.08f}, 0.50f},
+                                {{0.0f, -0.7f, -0.1f}, 0.47f},
+                                {{0.0f, -0.2f, -0.1f}, 0.44f}}},
+                              0.95f};
+
+  static int patch_count() { return 2; }
+
+  SurfacePoint point(int half, float u, float v) const {
+    const Limb::Point at = kLimb.point(half, u, v);
+    SurfacePoint p;
+    p.pattern = at.centre + at.outward * at.radius;
+    p.relief = 0.012f * noise(p.pattern * 4.0f) + 0.0015f * noise(p.pattern * 30.0f);
+    p.position = p.pattern + at.outward * p.relief;
+    return p;
+  }
+
+  static Material material(const SurfacePoint& p, Vec3 /*normal*/) {
+    Material m;
+    m.albedo = Vec3{0.58f, 0.34f, 0.24f} * (1.0f + 4.0f * p.relief);
+    m.gloss = 0.2f;
+    m.sharpness = 4;
+    return m;
+  }
+};
+
+/// Cut on the bias: the weave runs aslant.
 struct Curtain {
   static int patch_count() { return 2; }
 
   SurfacePoint point(int patch, float u, float v) const {
     return sheet_point(patch, u, v, {0.0f, 0.0f, 0.3f}, [](float s, float t) {
-      const float x = (s - 0.5f) * 13.0f, y = (t - 0.5f) * 9.0f;
+      const Vec3 at = turned_z({(s - 0.5f) * 12.0f, (t - 0.5f) * 12.0f, 0.0f}, 0.05f);
+      const float x = at.x, y = at.y;
       const float sway = noise({x * 0.9f, y * 0.25f, 1.0f});
       const float weave = noise({x * 14.0f, y * 14.0f, 4.0f});
       SurfacePoint p;
@@ -204,6 +238,7 @@ Scene build(int frame) {
   scene.lighting.bounce = {0.16f, 0.12f, 0.10f};
   scene.add(make_surface(Curtain{}));
   scene.add(make_surface(Shoulders{}), {{{0.0f, -2.4f, -0.3f}, 1.3f}});
+  scene.add(make_surface(Neck{}));
   scene.add(make_surface(Head{centre, open, nod}), {{centre, 0.95f}});
   for (const float side : {-1.0f, 1.0f}) {
     const Vec3 socket = turned_x({side * 0.275f, 0.155f, 0.665f}, nod);

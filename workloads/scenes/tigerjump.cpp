@@ -67,10 +67,10 @@ struct Face {
     SurfacePoint p;
     p.relief = 0.022f * fur + 0.012f * hairs;
     const float shape =
-        0.42f * bump({0.96f, -0.28f, 0.0f}, 0.62f) + 0.20f * bump({0.93f, -0.30f, 0.20f}, 0.30f) -
+        0.26f * bump({0.96f, -0.30f, 0.0f}, 0.60f) + 0.16f * bump({0.92f, -0.34f, 0.22f}, 0.34f) -
         0.10f * bump({0.82f, 0.28f, 0.48f}, 0.30f) + 0.24f * bump({0.25f, -0.45f, 0.85f}, 0.60f) -
-        0.13f * bump({0.90f, -0.62f, 0.10f}, 0.24f);
-    p.position = centre + Vec3{0.40f, 0.36f, 0.36f} * d * (1.0f + shape + p.relief);
+        0.10f * bump({0.88f, -0.64f, 0.10f}, 0.26f);
+    p.position = centre + Vec3{0.42f, 0.41f, 0.43f} * d * (1.0f + shape + p.relief);
     p.pattern = d;
     return p;
   }
@@ -99,7 +99,7 @@ struct Face {
 
 float meadow_height(float x, float z) {
   const float far_away = smooth_step(2.0f, 26.0f, -z);
-  return far_away * (7.5f + 4.0f * noise({x * 0.07f, 2.0f, z * 0.06f})) +
+  return far_away * (9.5f + 3.0f * noise({x * 0.07f, 2.0f, z * 0.06f})) +
          0.35f * noise({x * 0.35f, 8.0f, z * 0.35f});
 }
 
@@ -108,11 +108,12 @@ struct Meadow {
 
   SurfacePoint point(int patch, float u, float v) const {
     return sheet_point(patch, u, v, {0.0f, 1.5f, 0.0f}, [](float s, float t) {
-      const float x = (s - 0.5f) * 62.0f, z = 8.0f - t * 42.0f;
-      const float tufts = noise({x * 1.5f, 0.0f, z * 1.5f});
+      const Vec3 at = turned_y({(s - 0.5f) * 84.0f, 0.0f, (0.5f - t) * 84.0f}, -0.04f);
+      const float x = at.x, z = at.z - 18.0f;
+      const float tufts = noise({x * 1.6f, 0.0f, z * 1.6f});
       const float blades = noise({x * 6.5f, 1.0f, z * 5.0f});
       SurfacePoint p;
-      p.relief = 0.07f * tufts + 0.020f * blades;
+      p.relief = 0.07f * tufts + 0.010f * blades;
       p.position = {x, meadow_height(x, z) + p.relief, z};
       p.pattern = {x, z, blades};
       return p;
@@ -122,9 +123,9 @@ struct Meadow {
   static Material material(const SurfacePoint& p, Vec3 /*normal*/) {
     const float dry = noise({p.pattern.x * 0.22f, 5.0f, p.pattern.y * 0.22f});
     Material m;
-    m.albedo = mix(Vec3{0.07f, 0.16f, 0.03f}, Vec3{0.33f, 0.30f, 0.10f},
-                   saturate(0.42f + 0.55f * dry + 0.3f * p.pattern.z));
-    m.openness = saturate(0.8f + 4.0f * p.relief);
+    m.albedo = mix(Vec3{0.045f, 0.12f, 0.02f}, Vec3{0.30f, 0.26f, 0.08f},
+                   saturate(0.42f + 0.7f * dry + 0.3f * p.pattern.z));
+    m.openness = saturate(0.75f + 4.0f * p.relief);
     return m;
   }
 };
@@ -161,24 +162,24 @@ void add_tiger(Scene& scene, Vec3 origin, float stretch) {
             {{origin + Vec3{2.02f, 0.7f, 0.0f}, 0.38f}});
   for (const float side : {-1.0f, 1.0f}) {
     const float z = 0.30f * side, lead = 0.10f * side;
-    const float ear = 0.24f * side;
-    add({{{{1.80f, 0.92f, ear}, 0.09f},
-          {{1.79f, 1.00f, ear}, 0.10f},
-          {{1.78f, 1.07f, ear}, 0.09f},
-          {{1.77f, 1.12f, ear}, 0.06f},
-          {{1.76f, 1.15f, ear}, 0.03f}}},
-        1.0f, 0.5f, 1.0f, 2.0f);
+    const float ear = 0.26f * side;
+    add({{{{1.86f, 0.98f, ear}, 0.11f},
+          {{1.84f, 1.07f, ear}, 0.13f},
+          {{1.82f, 1.14f, ear}, 0.12f},
+          {{1.80f, 1.20f, ear}, 0.09f},
+          {{1.79f, 1.25f, ear}, 0.04f}}},
+        0.8f, 0.5f, 1.0f, 2.0f);
     add({{{{0.75f, 0.05f, z}, 0.33f},
           {{mix(0.95f, 1.25f, s), mix(-0.45f, -0.22f, s), z}, 0.23f},
           {{mix(0.75f, 1.80f, s) + lead, mix(-0.85f, -0.30f, s), z}, 0.165f},
           {{mix(0.85f, 2.25f, s) + lead, mix(-1.10f, -0.22f, s), z}, 0.125f},
-          {{mix(1.05f, 2.55f, s) + lead, mix(-1.15f, -0.30f, s), z}, 0.15f}}},
+          {{mix(1.05f, 2.55f, s) + lead, mix(-1.15f, -0.30f, s), z}, 0.18f}}},
         1.0f, 1.0f, 7.0f, 11.0f + side);
     add({{{{-1.15f, -0.02f, z}, 0.42f},
           {{mix(-0.75f, -1.45f, s), mix(-0.55f, -0.50f, s), z}, 0.31f},
           {{mix(-1.15f, -2.05f, s) - lead, mix(-0.85f, -0.58f, s), z}, 0.17f},
           {{mix(-0.95f, -2.50f, s) - lead, mix(-1.10f, -0.90f, s), z}, 0.115f},
-          {{mix(-0.65f, -2.80f, s) - lead, mix(-1.15f, -1.10f, s), z}, 0.14f}}},
+          {{mix(-0.65f, -2.80f, s) - lead, mix(-1.15f, -1.10f, s), z}, 0.17f}}},
         1.0f, 1.0f, 7.0f, 17.0f + side);
   }
   add({{{{-1.45f, 0.02f, 0}, 0.16f},
@@ -193,17 +194,17 @@ Scene build(int frame) {
   Scene scene;
   const float phase = static_cast<float>(frame) / (kFrames - 1);
   const float arc = 4.0f * phase * (1.0f - phase);
-  scene.camera.eye = {1.6f, 2.1f, 8.0f};
-  scene.camera.target = {0.0f, 1.55f, 0.0f};
+  scene.camera.eye = {2.6f, 3.4f, 7.6f};
+  scene.camera.target = {0.0f, 1.2f, 0.0f};
   scene.camera.field_degrees = 33.0f;
   scene.camera.near = 0.5f;
   scene.lighting.to_sun = normalized({0.55f, 0.62f, 0.60f});
   scene.lighting.sun = {1.75f, 1.5f, 1.1f};
   scene.lighting.sky = {0.30f, 0.40f, 0.52f};
   scene.lighting.bounce = {0.12f, 0.15f, 0.06f};
-  scene.lighting.haze = {0.62f, 0.70f, 0.74f};
+  scene.lighting.haze = {0.50f, 0.58f, 0.62f};
   scene.lighting.haze_start = 9.0f;
-  scene.lighting.haze_length = 26.0f;
+  scene.lighting.haze_length = 60.0f;
   scene.add(make_surface(Meadow{}));
   add_tiger(scene, {mix(-1.6f, 1.6f, phase), 0.95f + 1.05f * arc, 0.0f},
             smooth_step(0.0f, 0.6f, arc));
