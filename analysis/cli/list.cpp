@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// `lanescope list`: what there is to choose from.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <memory>
+
+#include "analysis/cli/command.h"
+#include "analysis/cli/output.h"
+#include "analysis/cli/values.h"
+#include "analysis/table.h"
+#include "kernels/kernel.h"
+#include "simulator/instruction_set.h"
+#include "workloads/scene.h"
+
+namespace lanescope {
+namespace {
+
+std::string line(std::string_view name, std::string_view text) {
+  return fmt::format("{:<30} {}\n", name, text);
+}
+
+std::string list_kernels() {
+  std::string text;
+  for (const Kernel* kernel : kernels())
+    text += line(kernel->name, fmt::format("{}; W = {}", kernel->summary,
+                                           fmt::join(kernel->widths, ", ")));
+  return text;
+}
+
+std::string list_scenes() {
+  std::string text;
+  for (const SceneDescriptor* scene : scenes())
+    text += line(scene->name,
+                 fmt::format("{}; frames 0 to {}{}", scene->summary, scene->frame_count - 1,
+                             scene->thesis_like ? "; like the thesis's" : ""));
+  return text;
+}
+
+std::string list_instructions() {
+  std::string text;
+  for (const InstructionInfo* info : instruction_set())
+    text += fmt::format("{:<18} {:<11} {:<13} {}\n", info->mnemonic,
+                        to_string(info->instruction_class), to_string(info->charge), info->meaning);
+  return text;
+}
+
+std::string list_tables() {
+  std::string text;
+  for (const Table* table : tables()) text += line(table->name, table->summary);
+  return text;
+}
+
+struct List {
+  std::string_view name;
+  std::string (*text)();
+};
+constexpr std::array<List, 4> kLists{{{"kernels", list_kernels},
+                                      {"scenes", list_scenes},
+                                      {"instructions", list_instructions},
+                                      {"tables", list_tables}}};
+
+void list(const std::string& what) {
+  std::vector<std::string> names;
+  for (const List& list : kLists) names.emplace_back(list.name);
+  const std::string chosen = parse_name({"list", what}, "a list", names);
+  for (const List& list : kLists)
+    if (list.name == chosen) print(list.text());
+}
+
+std::function<void()> declare(CLI::App& app) {
+  const auto what = std::make_shared<std::string>();
+  app.add_option("what", *what, "kernels, scenes, instructions or tables")
+      ->type_name("WHAT")
+      ->required();
+  return [what] { list(*what); };
+}
+
+}  // namespace
+
+extern const Command c_list{"list", "Lists kernels, scenes, instructions or tables",
+                            "  lanescope list kernels\n"
+                            "  lanescope list instructions",
+                            declare};
+
+}  // namespace lanescope

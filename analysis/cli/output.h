@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Where results go: standard output or files that appear whole.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "analysis/files.h"
+#include "analysis/report.h"
+
+namespace CLI {
+class App;
+}
+
+namespace lanescope {
+
+/// Writes to standard output. Throws InputError if it cannot take it (a full disk).
+void print(std::string_view text);
+
+/// A place for a document: standard output (`-`), a file, or none (an empty path). A file is opened
+/// at once, so that an unwritable place is found before the work.
+class Destination {
+ public:
+  explicit Destination(const std::string& path);
+  bool is_stdout() const { return is_stdout_; }
+  void write(std::string_view text);
+
+ private:
+  bool is_stdout_;
+  std::unique_ptr<AtomicFile> file_;
+};
+
+/// The command that gives the same report: options of the group "Output" are left out, as they only
+/// decide where results go and how fast.
+std::string command_of(const CLI::App& app);
+
+}  // namespace lanescope

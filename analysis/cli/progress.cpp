@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/cli/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace lanescope {
+namespace {
+
+constexpr double kTerminalPeriod_s = 0.2;
+/// Lines elsewhere come at 1, 2, 4, 8 ... seconds.
+constexpr double kBackOff = 2.0;
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  const auto whole = std::lround(seconds);
+  if (whole < 60) return fmt::format("{} s", whole);
+  return fmt::format("{} min {} s", whole / 60, whole % 60);
+}
+
+Progress::Progress(std::string title)
+    : title_(std::move(title)),
+      terminal_(::isatty(STDERR_FILENO) == 1),
+      start_(std::chrono::steady_clock::now()) {}
+
+Progress::~Progress() {
+  if (drawn_ && terminal_) std::fputs("\r\033[K", stderr);
+}
+
+double Progress::elapsed_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void Progress::update(double fraction) {
+  const double elapsed = elapsed_s();
+  if (elapsed < next_s_) return;
+  next_s_ = terminal_ ? elapsed + kTerminalPeriod_s : elapsed * kBackOff;
+  drawn_ = true;
+  std::string text = fmt::format("{}: {:.0f}%, {}", title_, 100.0 * fraction, duration_text(elapsed));
+  if (fraction > 0.0)
+    text += fmt::format(", about {} left", duration_text(elapsed * (1.0 / fraction - 1.0)));
+  text = terminal_ ? fmt::format("\r{}\033[K", text) : text + '\n';
+  std::fputs(text.c_str(), stderr);
+}
+
+}  // namespace lanescope

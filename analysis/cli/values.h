@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Strict reading of option values: the whole text must be what is asked for, and a complaint names
+// the option, what was found and what is allowed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/configuration.h"
+#include "simulator/base/error.h"
+
+namespace lanescope {
+
+/// An option and the text given for it.
+struct Argument {
+  std::string_view option;  ///< With its dashes.
+  std::string_view text;
+
+  /// Throws InputError: `--option: 'text' is not <expected>`.
+  [[noreturn]] void fail(std::string_view expected) const;
+};
+
+int parse_integer(const Argument& argument, int low, int high);
+std::uint64_t parse_seed(const Argument& argument);
+/// A finite decimal number from low to high.
+float parse_number(const Argument& argument, float low, float high);
+
+/// The elements between commas, of which none is empty or given twice.
+std::vector<Argument> parse_list(const Argument& argument);
+
+/// One of the names. `kind` says what they are: `a kernel`.
+std::string parse_name(const Argument& argument, std::string_view kind,
+                       const std::vector<std::string>& names);
+
+template <class Value, std::size_t kCount>
+Value parse_choice(const Argument& argument, const std::array<Choice<Value>, kCount>& choices) {
+  const auto value = find_choice(choices, argument.text);
+  if (value) return *value;
+  std::vector<std::string> names;
+  for (const Choice<Value>& choice : choices) names.emplace_back(choice.name);
+  throw InputError(argument.option, "'{}' is not {}{}", argument.text, list_or(choices),
+                   did_you_mean(argument.text, names));
+}
+
+/// The names of descriptors: of kernels(), scenes(), tables().
+template <class Descriptor>
+std::vector<std::string> names_of(const std::vector<const Descriptor*>& descriptors) {
+  std::vector<std::string> names;
+  for (const Descriptor* descriptor : descriptors) names.emplace_back(descriptor->name);
+  return names;
+}
+
+}  // namespace lanescope

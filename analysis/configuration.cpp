@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/configuration.h"
+
+#include <tuple>
+
+namespace lanescope {
+
+void Configuration::set_shape(Micropolygon shape) {
+  options.shape = shape;
+  tessellation.shape = shape;
+}
+
+SampleGrid Configuration::sample_grid() const {
+  return {tessellation.width_px, tessellation.height_px, samples_per_pixel, jitter, seed};
+}
+
+bool same_tessellation(const Configuration& a, const Configuration& b) {
+  const auto key = [](const Configuration& c) {
+    const TessellationOptions& t = c.tessellation;
+    return std::tie(c.scene, c.mesh_patches, c.frame, c.turn_degrees, t.width_px, t.height_px,
+                    t.shape, t.dice_area_px, t.grid_limit, t.packet_capacity, t.grid_overlap_px);
+  };
+  return key(a) == key(b);
+}
+
+std::string list_or(std::span<const std::string> names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    text += names[i];
+  }
+  return text;
+}
+
+}  // namespace lanescope

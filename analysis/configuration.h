@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// One configuration of an experiment, with every parameter resolved, and the names that options and
+// reports use for its choices.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "kernels/kernel.h"
+#include "workloads/sample_grid.h"
+#include "workloads/tessellator.h"
+
+namespace lanescope {
+
+/// A kernel at one width on one scene: all that decides what a run counts.
+struct Configuration {
+  std::string kernel = "lockstep";
+  int width = 16;
+  Mode mode = Mode::kCounting;
+  KernelOptions options;
+  /// The name of a built-in scene, or the path of a mesh file.
+  std::string scene;
+  /// How the faces of a mesh become patches ("linear", "pn", "phong"); empty for a built-in scene.
+  std::string mesh_patches;
+  int frame = 0;
+  float turn_degrees = 0.0f;  ///< Turns the picture about the view axis.
+  TessellationOptions tessellation;
+  int samples_per_pixel = 4;
+  bool jitter = true;
+  std::uint64_t seed = 1;  ///< Of the jitter.
+
+  /// Sets the shape that is tessellated and the one that the kernel expects, which are the same.
+  void set_shape(Micropolygon shape);
+  Micropolygon shape() const { return options.shape; }
+  bool is_mesh() const { return !mesh_patches.empty(); }
+  SampleGrid sample_grid() const;
+};
+
+/// Whether the packets of two configurations are the same, so that one tessellation feeds both.
+bool same_tessellation(const Configuration& a, const Configuration& b);
+
+/// A choice and the word for it on the command line and in reports.
+template <class Value>
+struct Choice {
+  std::string_view name;
+  Value value;
+};
+
+inline constexpr std::array<Choice<Mode>, 3> kModes{
+    {{"counting", Mode::kCounting}, {"checked", Mode::kChecked}, {"uncounted", Mode::kUncounted}}};
+inline constexpr std::array<Choice<Edges>, 2> kEdges{
+    {{"inline", Edges::kInline}, {"precomputed", Edges::kPrecomputed}}};
+inline constexpr std::array<Choice<Micropolygon>, 2> kShapes{
+    {{"triangle", Micropolygon::kTriangle}, {"quad", Micropolygon::kQuad}}};
+inline constexpr std::array<Choice<bool>, 2> kSwitch{{{"on", true}, {"off", false}}};
+
+/// The word for `value`. Requires that it is among the choices.
+template <class Value, std::size_t kCount>
+std::string_view name_of(const std::array<Choice<Value>, kCount>& choices, Value value) {
+  for (const Choice<Value>& choice : choices)
+    if (choice.value == value) return choice.name;
+  return {};
+}
+
+/// The choice of that name, if there is one.
+template <class Value, std::size_t kCount>
+std::optional<Value> find_choice(const std::array<Choice<Value>, kCount>& choices,
+                                 std::string_view name) {
+  for (const Choice<Value>& choice : choices)
+    if (choice.name == name) return choice.value;
+  return std::nullopt;
+}
+
+/// The names of choices as a sentence lists them: `on or off`, `1, 4 or 9`.
+std::string list_or(std::span<const std::string> names);
+
+template <class Value, std::size_t kCount>
+std::string list_or(const std::array<Choice<Value>, kCount>& choices) {
+  std::array<std::string, kCount> names;
+  for (std::size_t i = 0; i < kCount; ++i) names[i] = choices[i].name;
+  return list_or(std::span<const std::string>(names));
+}
+
+}  // namespace lanescope

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/experiment.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <string_view>
+
+#include "analysis/build_info.h"
+#include "analysis/packet_hash.h"
+#include "analysis/parallel.h"
+#include "analysis/scene_source.h"
+#include "simulator/base/error.h"
+#include "workloads/tessellator.h"
+
+namespace lanescope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Indices = std::vector<std::size_t>;
+using Dictionary = std::map<std::string_view, const InstructionInfo*>;
+
+/// Frames of a group together, unless a single one is larger.
+constexpr std::int64_t kFrameBudgetBytes = std::int64_t{768} << 20;
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::int64_t frame_bytes(const Configuration& c) {
+  return c.sample_grid().sample_count() * static_cast<std::int64_t>(sizeof(std::uint64_t));
+}
+
+/// Indices of configurations that run together: they share a tessellation, and their frames fit the
+/// budget.
+std::vector<Indices> group(const std::vector<Configuration>& configurations) {
+  struct Group {
+    Indices members;
+    std::int64_t bytes = 0;
+  };
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < configurations.size(); ++i) {
+    const std::int64_t bytes = frame_bytes(configurations[i]);
+    auto place = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+      return same_tessellation(configurations[g.members.front()], configurations[i]) &&
+             g.bytes + bytes <= kFrameBudgetBytes;
+    });
+    if (place == groups.end()) place = groups.insert(groups.end(), Group{});
+    place->members.push_back(i);
+    place->bytes += bytes;
+  }
+  std::vector<Indices> indices;
+  for (Group& g : groups) indices.push_back(std::move(g.members));
+  return indices;
+}
+
+/// One configuration while its group runs.
+struct Member {
+  const Configuration* configuration;
+  const Kernel* kernel;
+  std::unique_ptr<Frame> frame;
+};
+
+/// What one worker has of a group: an execution of each member, and its share of the sums.
+class Worker {
+ public:
+  explicit Worker(const std::vector<Member>& members) : kernel_ms_(members.size(), 0.0) {
+    for (const Member& m : members)
+      executions_.push_back(m.kernel->start(m.configuration->width, m.configuration->mode,
+                                            m.configuration->options, *m.frame));
+  }
+
+  void run(const Tessellator& tessellator, int segment) {
+    tessellation_ += tessellator.tessellate(segment, [&](const Packet& packet) { take(packet); });
+  }
+
+  KernelResult result(std::size_t member) const { return executions_[member]->result(); }
+  double kernel_ms(std::size_t member) const { return kernel_ms_[member]; }
+  std::uint64_t scene_hash() const { return scene_hash_; }
+  const TessellationCounts& tessellation() const { return tessellation_; }
+
+ private:
+  void take(const Packet& packet) {
+    scene_hash_ += packet_hash(packet);
+    for (std::size_t i = 0; i < executions_.size(); ++i) {
+      const Clock::time_point start = Clock::now();
+      executions_[i]->rasterize(packet);
+      kernel_ms_[i] += ms_since(start);
+    }
+  }
+
+  std::vector<std::unique_ptr<Execution>> executions_;
+  std::vector<double> kernel_ms_;
+  std::uint64_t scene_hash_ = 0;
+  TessellationCounts tessellation_;
+};
+
+std::vector<StageRecord> stage_records(const Kernel& kernel, const Counts& counts) {
+  std::vector<StageRecord> records;
+  for (std::size_t i = 0; i < counts.stages.size(); ++i) {
+    const StageCounts& stage = counts.stages[i];
+    StageRecord record{std::string(kernel.stages[i]), {}, stage.lane_active, stage.histogram};
+    for (const InstructionCounts& c : stage.instructions)
+      record.instructions.push_back({std::string(c.info->mnemonic), c.issued, c.active,
+                                     c.overhead_issued, c.overhead_active});
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+void add_counters(RunRecord& run, const Kernel& kernel, const KernelResult& result) {
+  LANESCOPE_CHECK(result.counters.size() == kernel.counters.size(), "{} counters of {}: {}",
+                  kernel.counters.size(), kernel.name, result.counters.size());
+  for (std::size_t i = 0; i < kernel.counters.size(); ++i) {
+    const CounterInfo& info = kernel.counters[i];
+    run.counters.push_back({std::string(info.name), std::string(info.meaning),
+                            std::string(info.unit), result.counters[i]});
+  }
+  for (const MetricInfo& info : kernel.metrics)
+    run.metrics.push_back({std::string(info.name), std::string(info.meaning),
+                           std::string(info.numerator), std::string(info.denominator)});
+}
+
+/// Runs the configurations of one group and fills in their runs of the report.
+class GroupRun {
+ public:
+  GroupRun(const std::vector<Configuration>& configurations, const Indices& indices,
+           const ExperimentOptions& options)
+      : indices_(indices),
+        options_(options),
+        scene_(build_scene(configurations[indices.front()])),
+        tessellator_(scene_, configurations[indices.front()].tessellation) {
+    for (const std::size_t index : indices) {
+      const Configuration& c = configurations[index];
+      members_.push_back(
+          {&c, &find_kernel(c.kernel), std::make_unique<Frame>(c.sample_grid())});
+    }
+  }
+
+  void run(Report& report, Dictionary& dictionary, const std::function<void(double)>& progress) {
+    const int segments = tessellator_.segment_count();
+    const int workers = std::max(1, std::min(options_.threads, segments));
+    for (int i = 0; i < workers; ++i) workers_.emplace_back(members_);
+    parallel_for(
+        workers, segments,
+        [&](int worker, int segment) {
+          workers_[static_cast<std::size_t>(worker)].run(tessellator_, segment);
+        },
+        [&](int done) { progress(static_cast<double>(done) / segments); });
+    for (std::size_t i = 0; i < members_.size(); ++i)
+      record(i, report.runs[indices_[i]], report.timing.kernel_ms[indices_[i]], dictionary);
+    record_frames(report);
+  }
+
+ private:
+  void record(std::size_t i, RunRecord& run, double& kernel_ms, Dictionary& dictionary) const {
+    const Member& member = members_[i];
+    KernelResult sum = workers_.front().result(i);
+    kernel_ms = workers_.front().kernel_ms(i);
+    for (std::size_t w = 1; w < workers_.size(); ++w) {
+      merge(*member.kernel, sum, workers_[w].result(i));
+      kernel_ms += workers_[w].kernel_ms(i);
+    }
+    run.configuration = *member.configuration;
+    run.thesis_like = is_thesis_like(run.configuration);
+    for (const Worker& worker : workers_) {
+      run.scene_hash += worker.scene_hash();
+      run.tessellation += worker.tessellation();
+    }
+    if (run.configuration.mode != Mode::kUncounted)
+      run.stages = stage_records(*member.kernel, sum.counts);
+    add_counters(run, *member.kernel, sum);
+    run.hits_hash = sum.hits_hash;
+    for (const StageCounts& stage : sum.counts.stages)
+      for (const InstructionCounts& c : stage.instructions)
+        dictionary.emplace(c.info->mnemonic, c.info);
+  }
+
+  void record_frames(Report& report) const {
+    parallel_for(options_.threads, static_cast<int>(members_.size()), [&](int, int item) {
+      const auto i = static_cast<std::size_t>(item);
+      RunRecord& run = report.runs[indices_[i]];
+      run.frame_hash = members_[i].frame->hash();
+      run.samples_covered = members_[i].frame->covered();
+    });
+    if (!options_.on_frame) return;
+    for (const Member& member : members_) options_.on_frame(*member.configuration, *member.frame);
+  }
+
+  const Indices& indices_;
+  const ExperimentOptions& options_;
+  Scene scene_;
+  Tessellator tessellator_;
+  std::vector<Member> members_;
+  std::vector<Worker> workers_;
+};
+
+}  // namespace
+
+Report run_experiment(const std::vector<Configuration>& configurations,
+                      const ExperimentOptions& options) {
+  const Clock::time_point start = Clock::now();
+  Report report;
+  report.program_version = program_version();
+  report.runs.resize(configurations.size());
+  report.timing.kernel_ms.resize(configurations.size());
+  Dictionary dictionary;
+  const std::vector<Indices> groups = group(configurations);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    GroupRun run(configurations, groups[i], options);
+    run.run(report, dictionary, [&](double fraction) {
+      if (options.progress)
+        options.progress((static_cast<double>(i) + fraction) / static_cast<double>(groups.size()));
+    });
+  }
+  for (const auto& [mnemonic, info] : dictionary)
+    report.instructions.push_back({std::string(mnemonic), std::string(info->meaning),
+                                   std::string(to_string(info->instruction_class)),
+                                   std::string(to_string(info->charge))});
+  report.timing.wall_ms = ms_since(start);
+  report.timing.threads = options.threads;
+  report.timing.host = processor_model();
+  report.timing.compiler = compiler();
+  return report;
+}
+
+}  // namespace lanescope

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/files.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "simulator/base/error.h"
+
+namespace lanescope {
+namespace {
+
+bool write_all(int descriptor, std::string_view contents) {
+  while (!contents.empty()) {
+    const ssize_t written = ::write(descriptor, contents.data(), contents.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    contents.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw InputError(path, "is a directory; a file is needed");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path, "cannot be read: {}", std::strerror(errno));
+  std::ostringstream contents;
+  contents << file.rdbuf();
+  if (file.bad()) throw InputError(path, "cannot be read: {}", std::strerror(errno));
+  return std::move(contents).str();
+}
+
+AtomicFile::AtomicFile(std::string path)
+    : path_(std::move(path)), temporary_path_(fmt::format("{}.tmp-{}", path_, ::getpid())) {
+  std::error_code error;
+  if (path_.empty() || std::filesystem::is_directory(path_, error))
+    throw InputError(path_.empty() ? "output file" : path_, "is not the name of a file");
+  descriptor_ = ::open(temporary_path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw InputError(path_, "cannot be written: {}", std::strerror(errno));
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ < 0) return;
+  ::close(descriptor_);
+  ::unlink(temporary_path_.c_str());
+}
+
+void AtomicFile::commit(std::string_view contents) {
+  LANESCOPE_CHECK(descriptor_ >= 0, "{} is committed twice", path_);
+  if (!write_all(descriptor_, contents) ||
+      std::rename(temporary_path_.c_str(), path_.c_str()) != 0)
+    throw InputError(path_, "cannot be written: {}", std::strerror(errno));
+  ::close(std::exchange(descriptor_, -1));
+}
+
+void write_file(const std::string& path, std::string_view contents) {
+  AtomicFile(path).commit(contents);
+}
+
+void make_directory(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error || !std::filesystem::is_directory(path))
+    throw InputError(path, "cannot be created as a directory{}{}", error ? ": " : "",
+                     error ? error.message() : "");
+}
+
+}  // namespace lanescope

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Tidy data: one line for each figure, unscaled and unrounded, for notebooks.
+#include <fmt/format.h>
+
+#include "analysis/format.h"
+
+namespace lanescope {
+namespace {
+
+/// A field in quotes if it needs them (RFC 4180).
+std::string field(std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == text.npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string number(std::optional<double> value) { return value ? fmt::format("{}", *value) : ""; }
+
+struct Place {
+  const TableData& table;
+  std::string group;  ///< The heading above the row, if any.
+  std::string row;
+  std::string column;
+};
+
+std::string line(const Place& place, std::string_view quantity, const Figure& figure,
+                 std::string_view words) {
+  const auto difference = figure.ours && figure.thesis
+                              ? std::optional(*figure.ours - *figure.thesis)
+                              : std::nullopt;
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", field(place.table.name),
+                     field(place.table.caption), field(place.group), field(place.row),
+                     field(place.column), field(quantity),
+                     words.empty() ? figure.unit->name : "", number(figure.ours),
+                     number(figure.thesis), number(difference), field(words));
+}
+
+std::string cell_lines(const Place& place, const Cell& cell) {
+  if (!cell.figure) return line(place, "words", {}, cell.words.empty() ? "-" : cell.words);
+  std::string lines = line(place, "figure", *cell.figure, "");
+  if (cell.share) lines += line(place, "share", *cell.share, "");
+  return lines;
+}
+
+std::string table_lines(const TableData& data) {
+  std::string lines;
+  std::string group;
+  for (const Row& row : data.rows) {
+    if (row.cells.empty()) group = row.label;
+    for (std::size_t i = 0; i < row.cells.size(); ++i)
+      lines += cell_lines({data, group, row.label, data.columns[i]}, row.cells[i]);
+  }
+  return lines;
+}
+
+std::string write(const std::vector<TableData>& tables) {
+  std::string text =
+      "table,scenes,group,row,column,quantity,unit,ours,thesis,difference,words\n";
+  for (const TableData& data : tables) text += table_lines(data);
+  return text;
+}
+
+}  // namespace
+
+extern const Format f_csv{"csv", "one line for each figure, unscaled and unrounded", "csv", write};
+
+}  // namespace lanescope

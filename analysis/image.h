@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Pictures of frames.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kernels/frame.h"
+
+namespace lanescope {
+
+/// Red, green and blue as displayed, 0 to 255.
+using Colour = std::array<std::uint8_t, 3>;
+
+/// Shown where nothing is drawn.
+inline constexpr Colour kBackground{214, 220, 228};
+
+struct Image {
+  int width_px = 0;
+  int height_px = 0;
+  std::vector<Colour> pixels;  ///< [height_px * width_px], by rows from the top.
+};
+
+/// Averages the samples of each pixel (a box filter). Colours are averaged as light, which is the
+/// square of the displayed value; samples that nothing covers are `background`.
+Image resolve(const Frame& frame, Colour background = kBackground);
+
+/// The bytes of a PNG file. Requires at least one pixel.
+std::string png(const Image& image);
+
+}  // namespace lanescope

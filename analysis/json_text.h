@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// JSON as people can read and compare it: indented, but a list or object of plain values on one
+// line.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace lanescope {
+
+/// The document, with a newline at the end. Values that are not finite are written as null.
+std::string json_text(const nlohmann::ordered_json& value);
+
+}  // namespace lanescope

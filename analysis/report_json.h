@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The JSON form of a report, and back. Keys are in a fixed order, counts are integers, hashes are
+// hexadecimal strings, and a ratio is {numerator, denominator, value}, with null where undefined.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "analysis/report.h"
+
+namespace lanescope {
+
+nlohmann::ordered_json to_json(const Report& report);
+
+/// to_json as a document: one line for each list of numbers. Byte-identical for equal reports; all
+/// that depends on the clock or the host is in the last member, `timing`.
+std::string report_text(const Report& report);
+
+/// Reads a report. `where` names it in messages (the file). Throws InputError, beginning with
+/// `where:/json/pointer`, for text that is not JSON, a newer version, missing or unknown members,
+/// values of a wrong type and derived values that do not follow from their counts.
+Report parse_report(std::string_view text, const std::string& where);
+
+/// Reads a report from a file. Throws InputError as parse_report does, or if it cannot be read.
+Report read_report(const std::string& path);
+
+}  // namespace lanescope
