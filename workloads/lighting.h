@@ -33,6 +33,8 @@ struct Lighting {
   Vec3 sun{1.0f, 0.95f, 0.85f};
   Vec3 sky{0.30f, 0.38f, 0.52f};     ///< Light from above.
   Vec3 bounce{0.16f, 0.13f, 0.10f};  ///< Light from below.
+  /// As displayed, each channel in [0, 1]: what samples without a surface show.
+  Vec3 background{0.70f, 0.78f, 0.88f};
   Vec3 haze{0.6f, 0.7f, 0.85f};
   float haze_start = 1e9f;   ///< Distance from the camera where haze begins.
   float haze_length = 1.0f;  ///< Distance over which haze grows to one half.

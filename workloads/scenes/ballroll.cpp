@@ -111,6 +111,7 @@ Scene build(int frame) {
   scene.camera.field_degrees = 32.0f;
   scene.camera.near = 0.5f;
   scene.lighting.to_sun = normalized({-0.62f, 0.52f, 0.42f});
+  scene.lighting.background = {0.72f, 0.78f, 0.86f};
   scene.lighting.sun = {1.35f, 1.1f, 0.8f};
   scene.lighting.haze = {0.9f, 0.72f, 0.56f};
   scene.lighting.haze_start = 10.0f;

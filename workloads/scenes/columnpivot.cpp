@@ -21,11 +21,12 @@ struct Shaft {
   static int patch_count() { return 4; }
 
   SurfacePoint point(int quarter, float u, float v) const {
-    const float around = 0.25f * (static_cast<float>(quarter) + u);
-    const float height = v * kShaftHeight;
+    // Rows of micropolygons run up the flutes, not across them.
+    const float around = 0.25f * (static_cast<float>(quarter) + 1.0f - v);
+    const float height = u * kShaftHeight;
     const Vec3 out{cos_turns(around), 0.0f, -sin_turns(around)};
     const float wave = 0.5f - 0.5f * cos_turns(20.0f * around);
-    const float flute = smooth_step(0.05f, 0.9f, wave) * smooth_step(0.03f, 0.06f, v);
+    const float flute = smooth_step(0.05f, 0.9f, wave) * smooth_step(0.03f, 0.06f, u);
     const Vec3 grain{out.x * 2.0f, height * 1.4f, out.z * 2.0f + seed};
     const float worn = fractal_noise(grain * 2.2f, 3);
     const float chip = smooth_step(0.30f, 0.62f, noise(grain * 1.3f));
@@ -33,8 +34,8 @@ struct Shaft {
         std::abs(height * (1.0f / 1.6f) - std::floor(height * (1.0f / 1.6f) + 0.5f));
     SurfacePoint p;
     p.relief =
-        -0.038f * flute + 0.010f * worn - 0.035f * chip - 0.02f * hill(joint * joint * 9000.0f);
-    const float taper = 1.0f - 0.13f * v * v;
+        -0.045f * flute + 0.010f * worn - 0.035f * chip - 0.02f * hill(joint * joint * 9000.0f);
+    const float taper = 1.0f - 0.13f * u * u;
     p.position = foot + out * (kShaftRadius * taper + p.relief) + Vec3{0.0f, height, 0.0f};
     p.pattern = grain;
     return p;
@@ -96,7 +97,7 @@ struct Wall {
 
   SurfacePoint point(int patch, float u, float v) const {
     return sheet_point(patch, u, v, {0.0f, 0.0f, 0.8f}, [](float s, float t) {
-      const float x = (s - 0.5f) * 44.0f, y = -0.2f + t * 13.2f;
+      const float x = (s - 0.5f) * 44.0f, y = -0.2f + t * 5.4f;
       const float row = std::floor(y * 1.1f);
       const float shift = 0.5f * (row - 2.0f * std::floor(row * 0.5f));
       SurfacePoint p;
@@ -132,8 +133,8 @@ void add_column(Scene& scene, float x, float z, float seed) {
 
 Scene build(int frame) {
   Scene scene;
-  const float pivot = (static_cast<float>(frame) / (kFrames - 1) - 0.5f) * 0.12f;
-  scene.camera.eye = {-1.0f, 2.5f, 9.6f};
+  const float pivot = (static_cast<float>(frame) / (kFrames - 1) - 0.5f) * 0.12f - 0.045f;
+  scene.camera.eye = {-3.4f, 2.5f, 9.0f};
   scene.camera.target = scene.camera.eye + turned_y({0.1f, 0.03f, -1.0f}, pivot);
   scene.camera.field_degrees = 38.0f;
   scene.camera.near = 0.5f;
@@ -141,15 +142,16 @@ Scene build(int frame) {
   scene.lighting.sun = {1.3f, 1.05f, 0.75f};
   scene.lighting.sky = {0.26f, 0.31f, 0.42f};
   scene.lighting.bounce = {0.20f, 0.15f, 0.11f};
+  scene.lighting.background = {0.52f, 0.70f, 0.92f};
   scene.lighting.haze = {0.55f, 0.44f, 0.36f};
   scene.lighting.haze_start = 9.0f;
   scene.lighting.haze_length = 40.0f;
   scene.add(make_surface(Floor{}));
   scene.add(make_surface(Wall{}));
   for (int i = 0; i < 4; ++i) {
-    const float x = -8.3f + 5.0f * static_cast<float>(i);
+    const float x = -8.0f + 5.8f * static_cast<float>(i);
     add_column(scene, x, 0.8f, static_cast<float>(i) * 7.3f);
-    add_column(scene, x + 2.6f, -5.0f, 60.0f + static_cast<float>(i) * 5.9f);
+    add_column(scene, x + 2.9f, -5.0f, 60.0f + static_cast<float>(i) * 5.9f);
   }
   return scene;
 }

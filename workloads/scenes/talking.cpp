@@ -65,7 +65,7 @@ struct Head {
     const float y = std::abs(d.y - middle);
     const float from_lip = y - slit * std::sqrt(inside) - 0.03f;
     return {smooth_step(0.0f, 0.3f, inside) * hill(from_lip * from_lip * 240.0f),
-            smooth_step(slit, 0.5f * slit, y / std::max(0.2f, std::sqrt(inside))) *
+            smooth_step(1.25f * slit, slit, y / std::max(0.2f, std::sqrt(inside))) *
                 smooth_step(0.0f, 0.2f, inside)};
   }
 
@@ -82,7 +82,7 @@ struct Head {
     const float radius =
         1.0f + features(d) + p.relief + mix(skin, 0.09f + 0.022f * strand + 0.04f * lock, hairy);
     Vec3 q = Vec3{0.80f, 1.08f, 0.92f} * d * radius;
-    const float jaw = smooth_step(-0.36f, -0.62f, d.y) * smooth_step(-0.2f, 0.4f, d.z);
+    const float jaw = smooth_step(-0.38f, -0.50f, d.y) * smooth_step(-0.2f, 0.4f, d.z);
     q.y -= 0.10f * open * jaw;
     q.x *= 1.0f - 0.16f * smooth_step(-0.1f, -0.9f, d.y);
     p.position = centre + turned_y(turned_x(q, nod_turns), -0.055f);
@@ -145,7 +145,8 @@ struct Shoulders {
 
   SurfacePoint point(int face, float u, float v) const {
     const Vec3 d = cube_sphere_direction(face, u, v);
-    const Vec3 body = Vec3{2.15f, 1.25f, 0.95f} * d;
+    const Vec3 body =
+        Vec3{2.15f, 1.25f, 0.95f} * d + Vec3{0.0f, 0.10f, 0.0f} * bump(d, {0, 1, 0}, 0.5f, 0.5f);
     const float fold = noise({body.x * 1.6f, body.y * 0.9f, body.z * 1.6f});
     const float row = body.y * 5.5f + 0.25f * fold;
     const float stitch = sin_turns(body.x * 6.5f + 0.5f * std::floor(row)) *
@@ -167,9 +168,9 @@ struct Shoulders {
 };
 
 struct Neck {
-  static constexpr Limb kLimb{{{{{0.0f, -1.9f, 0.0f}, 0.75f},
-                                {{0.0f, -1.45f, -0.05f}, 0.66f},
-                                {{0.0f, -1.1f, -0.08f}, 0.50f},
+  static constexpr Limb kLimb{{{{{0.0f, -1.9f, -0.1f}, 0.50f},
+                                {{0.0f, -1.45f, -0.12f}, 0.50f},
+                                {{0.0f, -1.1f, -0.12f}, 0.47f},
                                 {{0.0f, -0.7f, -0.1f}, 0.47f},
                                 {{0.0f, -0.2f, -0.1f}, 0.44f}}},
                               0.95f};
@@ -200,7 +201,7 @@ struct Curtain {
 
   SurfacePoint point(int patch, float u, float v) const {
     return sheet_point(patch, u, v, {0.0f, 0.0f, 0.3f}, [](float s, float t) {
-      const Vec3 at = turned_z({(s - 0.5f) * 12.0f, (t - 0.5f) * 12.0f, 0.0f}, 0.05f);
+      const Vec3 at = turned_z({(s - 0.5f) * 12.0f, (t - 0.5f) * 12.0f, 0.0f}, 0.04f);
       const float x = at.x, y = at.y;
       const float sway = noise({x * 0.9f, y * 0.25f, 1.0f});
       const float weave = noise({x * 14.0f, y * 14.0f, 4.0f});
@@ -233,6 +234,7 @@ Scene build(int frame) {
   scene.camera.field_degrees = 31.0f;
   scene.camera.near = 0.5f;
   scene.lighting.to_sun = normalized({-0.55f, 0.55f, 0.75f});
+  scene.lighting.background = {0.10f, 0.16f, 0.18f};
   scene.lighting.sun = {1.5f, 1.3f, 1.1f};
   scene.lighting.sky = {0.26f, 0.30f, 0.36f};
   scene.lighting.bounce = {0.16f, 0.12f, 0.10f};
@@ -253,7 +255,7 @@ extern const SceneDescriptor s_talking = {
     .name = "talking",
     .summary = "a modelled head talks in front of a curtain",
     .thesis_like = true,
-    .default_frame = 6,
+    .default_frame = 5,
     .frame_count = kFrames,
     .build = build,
 };

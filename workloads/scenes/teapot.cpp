@@ -95,6 +95,7 @@ Scene build(int frame) {
   scene.camera.field_degrees = 29.0f;
   scene.camera.near = 0.5f;
   scene.lighting.to_sun = normalized({-0.55f, 0.70f, 0.55f});
+  scene.lighting.background = {0.20f, 0.10f, 0.09f};
   scene.lighting.sun = {1.7f, 1.5f, 1.2f};
   scene.lighting.bounce = {0.20f, 0.13f, 0.08f};
   scene.add(make_surface(Curtain{}));

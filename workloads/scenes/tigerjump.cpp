@@ -98,8 +98,8 @@ struct Face {
 };
 
 float meadow_height(float x, float z) {
-  const float far_away = smooth_step(2.0f, 26.0f, -z);
-  return far_away * (9.5f + 3.0f * noise({x * 0.07f, 2.0f, z * 0.06f})) +
+  const float far_away = smooth_step(2.0f, 34.0f, -z);
+  return far_away * (6.5f + 5.0f * noise({x * 0.06f, 2.0f, z * 0.02f})) +
          0.35f * noise({x * 0.35f, 8.0f, z * 0.35f});
 }
 
@@ -108,8 +108,8 @@ struct Meadow {
 
   SurfacePoint point(int patch, float u, float v) const {
     return sheet_point(patch, u, v, {0.0f, 1.5f, 0.0f}, [](float s, float t) {
-      const Vec3 at = turned_y({(s - 0.5f) * 84.0f, 0.0f, (0.5f - t) * 84.0f}, -0.04f);
-      const float x = at.x, z = at.z - 18.0f;
+      const Vec3 at = turned_y({(s - 0.5f) * 64.0f, 0.0f, (0.5f - t) * 64.0f}, 0.04f);
+      const float x = at.x, z = at.z - 15.0f;
       const float tufts = noise({x * 1.6f, 0.0f, z * 1.6f});
       const float blades = noise({x * 6.5f, 1.0f, z * 5.0f});
       SurfacePoint p;
@@ -194,8 +194,8 @@ Scene build(int frame) {
   Scene scene;
   const float phase = static_cast<float>(frame) / (kFrames - 1);
   const float arc = 4.0f * phase * (1.0f - phase);
-  scene.camera.eye = {2.6f, 3.4f, 7.6f};
-  scene.camera.target = {0.0f, 1.2f, 0.0f};
+  scene.camera.eye = {2.4f, 2.9f, 7.8f};
+  scene.camera.target = {0.0f, 1.55f, 0.0f};
   scene.camera.field_degrees = 33.0f;
   scene.camera.near = 0.5f;
   scene.lighting.to_sun = normalized({0.55f, 0.62f, 0.60f});
@@ -203,6 +203,7 @@ Scene build(int frame) {
   scene.lighting.sky = {0.30f, 0.40f, 0.52f};
   scene.lighting.bounce = {0.12f, 0.15f, 0.06f};
   scene.lighting.haze = {0.50f, 0.58f, 0.62f};
+  scene.lighting.background = {0.58f, 0.74f, 0.92f};
   scene.lighting.haze_start = 9.0f;
   scene.lighting.haze_length = 60.0f;
   scene.add(make_surface(Meadow{}));
