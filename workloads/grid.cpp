@@ -102,15 +102,17 @@ void Grid::shade(const Surface* surface) {
 void Grid::project() {
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const CameraPoint p = projection_.to_camera(points_[i].position);
-    valid_[i] = p.z >= projection_.near();
-    const FramePoint on_frame = valid_[i] ? projection_.to_frame(p) : FramePoint{};
+    const bool in_front = p.z >= projection_.near() && std::isfinite(p.z);
+    const FramePoint at = in_front ? projection_.to_frame(p) : FramePoint{};
+    const float x = at.x_px * cells_per_px_, y = at.y_px * cells_per_px_;
     // Also false for coordinates that are not numbers.
-    valid_[i] = valid_[i] && std::abs(on_frame.x_px) < kMaxCoordinatePx &&
-                std::abs(on_frame.y_px) < kMaxCoordinatePx && std::isfinite(p.z);
+    const bool valid =
+        in_front && std::abs(x) < kMaxCoordinateCells && std::abs(y) < kMaxCoordinateCells;
+    valid_[i] = valid ? 1 : 0;
     Vertex& vertex = vertices_[i];
-    vertex[Attribute::kX] = valid_[i] ? on_frame.x_px : 0.0f;
-    vertex[Attribute::kY] = valid_[i] ? on_frame.y_px : 0.0f;
-    vertex[Attribute::kZ] = on_frame.depth;
+    vertex[Attribute::kX] = valid ? x : 0.0f;
+    vertex[Attribute::kY] = valid ? y : 0.0f;
+    vertex[Attribute::kZ] = at.depth;
   }
 }
 
@@ -132,8 +134,9 @@ void Grid::extend(std::size_t outer, std::size_t inner) {
   const float dy = vertex[Attribute::kY] - vertices_[inner][Attribute::kY];
   const float distance = std::sqrt(dx * dx + dy * dy);
   if (!(distance > 0.0f)) return;
-  vertex[Attribute::kX] += dx * (overlap_px_ / distance);
-  vertex[Attribute::kY] += dy * (overlap_px_ / distance);
+  const float step = overlap_px_ * cells_per_px_ / distance;
+  vertex[Attribute::kX] += dx * step;
+  vertex[Attribute::kY] += dy * step;
 }
 
 void Grid::snap() {

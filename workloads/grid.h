@@ -18,14 +18,18 @@ inline constexpr float kGridOverlapPx = 1.0f / 16.0f;
 
 /// Vertices farther than this from the origin of the frame are not exact on the sub-pixel grid in
 /// single precision; micropolygons with such vertices are dropped.
-inline constexpr float kMaxCoordinatePx = 32768.0f;
+inline constexpr float kMaxCoordinateCells = 32768.0f;
 
 /// A grid of columns x rows quads and the memory for it, used again from grid to grid.
 class Grid {
  public:
-  /// `projection` and `lighting` must outlive the grid. No outward move if `overlap_px` is 0.
-  Grid(const Projection& projection, const Lighting& lighting, float overlap_px)
-      : projection_(projection), lighting_(lighting), overlap_px_(overlap_px) {}
+  /// Vertices come out in cells, `cells_per_px` to a pixel along x and y. No outward move if
+  /// `overlap_px` is 0. `projection` and `lighting` must outlive the grid.
+  Grid(const Projection& projection, const Lighting& lighting, int cells_per_px, float overlap_px)
+      : projection_(projection),
+        lighting_(lighting),
+        cells_per_px_(static_cast<float>(cells_per_px)),
+        overlap_px_(overlap_px) {}
 
   /// Evaluates, shades and projects a patch. Requires columns > 0 and rows > 0.
   void dice(const Patch& patch, int columns, int rows);
@@ -35,7 +39,7 @@ class Grid {
 
   /// Vertex (column, row), 0 <= column <= columns(), 0 <= row <= rows().
   const Vertex& vertex(int column, int row) const { return vertices_[index(column, row)]; }
-  /// Finite, in front of the camera and within kMaxCoordinatePx.
+  /// Finite, in front of the camera and within kMaxCoordinateCells.
   bool valid(int column, int row) const { return valid_[index(column, row)] != 0; }
 
  private:
@@ -53,6 +57,7 @@ class Grid {
 
   const Projection& projection_;
   const Lighting& lighting_;
+  float cells_per_px_;
   float overlap_px_;
   int columns_ = 0;
   int rows_ = 0;

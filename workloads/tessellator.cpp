@@ -52,7 +52,7 @@ class SegmentTessellator {
       : projection_(projection),
         options_(options),
         sink_(sink),
-        grid_(projection, lighting, options.grid_overlap_px),
+        grid_(projection, lighting, options.samples_per_axis, options.grid_overlap_px),
         packet_(options.shape, options.packet_capacity) {
     packet_.first_id = first_id;
   }
@@ -161,6 +161,8 @@ void check(const TessellationOptions& options) {
           "1 to 128");
   require(options.packet_capacity >= 1 && options.packet_capacity <= 1 << 20, "--drain",
           options.packet_capacity, "1 to 1048576");
+  LANESCOPE_CHECK(options.samples_per_axis >= 1 && options.samples_per_axis <= 8,
+                  "samples per axis {}", options.samples_per_axis);
   LANESCOPE_CHECK(options.grid_overlap_px >= 0.0f, "overlap {}", options.grid_overlap_px);
 }
 

@@ -18,6 +18,9 @@ namespace lanescope {
 struct TessellationOptions {
   int width_px = 1728;
   int height_px = 1080;
+  /// Sub-pixel cells along each side of a pixel, as in the SampleGrid that the packets are for:
+  /// vertices come out in cells.
+  int samples_per_axis = 2;
   Micropolygon shape = Micropolygon::kTriangle;
   /// Target area of a quad of the grid in pixels; a triangle has half of it.
   float dice_area_px = 1.0f;
