@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "simulator/host.h"
 #include "workloads/sample_grid.h"
 
 namespace lanescope {
@@ -49,8 +50,22 @@ class Frame {
   std::vector<std::uint64_t> samples_;
 };
 
-/// Packs a colour in [0, 1] as 0xAABBGGRR, clamping each channel and rounding to nearest; a channel
-/// that is not a number is 0.
-std::uint32_t pack_colour(float red, float green, float blue, float alpha);
+/// A colour channel in [0, 1] as 0 ... 255, clamped and rounded; not-a-number is 0. For a scalar or
+/// a chunk of lanes.
+template <host::Floats V>
+LANESCOPE_INLINE auto quantize_channel(V channel) {
+  const V clamped =
+      host::min(host::max(channel, host::broadcast<V>(0.0f)), host::broadcast<V>(1.0f));
+  return host::to_int(clamped * 255.0f + 0.5f);
+}
+
+/// Packs a colour as 0xAABBGGRR. For scalars or chunks of lanes.
+template <host::Floats V>
+LANESCOPE_INLINE auto pack_channels(V red, V green, V blue, V alpha) {
+  const auto high = host::wrapping(quantize_channel(alpha)) << 24;
+  return host::wrapped<host::Rebind<V, std::int32_t>>(
+      high | host::wrapping(quantize_channel(blue)) << 16 |
+      host::wrapping(quantize_channel(green)) << 8 | host::wrapping(quantize_channel(red)));
+}
 
 }  // namespace lanescope

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "kernels/kernel.h"
+
+#include <algorithm>
+
+#include "simulator/base/error.h"
+#include "kernels/widths.h"
+#include "simulator/base/random.h"
+
+namespace lanescope {
+
+void merge(const Kernel& kernel, KernelResult& into, const KernelResult& from) {
+  into.counts += from.counts;
+  into.hits_hash += from.hits_hash;
+  for (std::size_t i = 0; i < kernel.counters.size(); ++i) {
+    if (kernel.counters[i].merge == Merge::kMaximum)
+      into.counters[i] = std::max(into.counters[i], from.counters[i]);
+    else
+      into.counters[i] += from.counters[i];
+  }
+}
+
+std::uint64_t hit_hash(std::uint64_t micropolygon_id, std::uint32_t sample) {
+  return mix64(micropolygon_id * 0xd6e8feb86659fd93u ^ sample);
+}
+
+std::span<const int> built_widths() { return kBuiltWidths; }
+
+const Kernel& find_kernel(std::string_view name) {
+  std::vector<std::string> names;
+  for (const Kernel* kernel : kernels()) {
+    if (kernel->name == name) return *kernel;
+    names.emplace_back(kernel->name);
+  }
+  throw InputError("--kernel", "there is no kernel '{}'{} (one of: {})", name,
+                   did_you_mean(name, names), fmt::join(names, ", "));
+}
+
+}  // namespace lanescope

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// From a vector program, a template on the machine, the shape and the edges, to executions: one
+// instance for each combination, chosen at run time.
+#pragma once
+
+#include <memory>
+
+#include "kernels/setup.h"
+
+namespace lanescope {
+
+/// What a vector program is started with.
+struct ProgramOptions {
+  KernelOptions kernel;
+  Frame* frame;
+};
+
+/// An execution of Program<Vm, P, E>, a class with
+///   static constexpr std::size_t kStageCount, kCounterCount;
+///   Program(Vm&, const ProgramOptions&, RasterizerCounts&, HitSink&);
+///   void rasterize(const PacketMemory<P>&, int size, std::uint64_t first_id);
+template <template <class, Micropolygon, Edges> class Program, class Vm, Micropolygon P, Edges E>
+class ProgramExecution final : public Execution {
+ public:
+  ProgramExecution(const KernelOptions& options, Frame& frame)
+      : options_(options),
+        vm_(Program<Vm, P, E>::kStageCount),
+        sink_{&frame, Vm::kMode != Mode::kUncounted, &counts_},
+        program_(vm_, {options, &frame}, counts_, sink_) {}
+
+  void rasterize(const Packet& packet) override {
+    if (options_.cull_backfaces) {
+      program_.rasterize(PacketMemory<P>(packet), packet.size(), packet.first_id);
+      return;
+    }
+    TurnedPacket<Vm, P> turned(packet, Vm::kCheckedMode);
+    for (int first = 0; first < packet.size(); first += Vm::kWidth)
+      turned.turn(vm_, kSetupStage, first, Vm::Lanes::first_n(packet.size() - first));
+    program_.rasterize(turned.memory(), packet.size(), packet.first_id);
+  }
+
+  KernelResult result() const override {
+    KernelResult result;
+    result.counts = vm_.counts();
+    result.counters.assign(counts_.begin(),
+                           counts_.begin() + Program<Vm, P, E>::kCounterCount);
+    result.hits_hash = sink_.hits_hash;
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t kSetupStage = 0;
+
+  KernelOptions options_;
+  Vm vm_;
+  RasterizerCounts counts_{};
+  HitSink sink_;
+  Program<Vm, P, E> program_;
+};
+
+/// Starts a program on a machine of width W.
+template <template <class, Micropolygon, Edges> class Program, int W>
+std::unique_ptr<Execution> start_program(Mode mode, const KernelOptions& options, Frame& frame) {
+  const auto with_edges = [&]<Mode M, Micropolygon P>() -> std::unique_ptr<Execution> {
+    using Vm = Machine<W, M>;
+    if (options.edges == Edges::kInline)
+      return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kInline>>(options, frame);
+    return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kPrecomputed>>(options, frame);
+  };
+  const auto with_shape = [&]<Mode M>() {
+    return options.shape == Micropolygon::kTriangle
+               ? with_edges.template operator()<M, Micropolygon::kTriangle>()
+               : with_edges.template operator()<M, Micropolygon::kQuad>();
+  };
+  switch (mode) {
+    case Mode::kCounting: return with_shape.template operator()<Mode::kCounting>();
+    case Mode::kChecked: return with_shape.template operator()<Mode::kChecked>();
+    case Mode::kUncounted: return with_shape.template operator()<Mode::kUncounted>();
+  }
+  return nullptr;
+}
+
+}  // namespace lanescope

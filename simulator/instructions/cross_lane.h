@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// Instructions that move data between lanes: compaction, permutation, scans, conflict detection.
+#pragma once
+
+#include "simulator/instructions/convert.h"
+#include "simulator/issue.h"
+
+namespace lanescope::isa {
+
+/// Number of active lanes of a mask up to and including lane i (the thesis, 3.2.2).
+///
+///   selected  1  0  1  1
+///   result    1  1  2  3
+///
+/// Survivor i of a compaction goes to place result[i] - 1.
+struct PrefixSum {
+  static constexpr InstructionInfo kInfo{
+      "prefix_sum", "r[i] = number of active j <= i with selected[j]", InstructionClass::kScan};
+  template <int W>
+  LANESCOPE_INLINE static Vec<std::int32_t, W> apply(Mask<W> active, Mask<W> selected) {
+    constexpr int N = kChunkLanes<W>;
+    using Uints = host::Chunk<std::uint32_t, N>;
+    using Ints = host::Chunk<std::int32_t, N>;
+    const Uints up_to = (host::broadcast<Uints>(2u) << (Uints)host::iota<N>(0)) - 1u;
+    Vec<std::int32_t, W> r;
+    int before = 0;
+    host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
+      const auto bits = static_cast<std::uint32_t>(active.chunk[c] & selected.chunk[c]);
+      r.chunk[c] = (Ints)host::popcount(up_to & bits) + before;
+      before += __builtin_popcount(bits);
+    });
+    return r;
+  }
+};
+inline constexpr Instruction<PrefixSum> prefix_sum;
+
+/// Moves the lanes of v that are active and selected to the front, in lane order:
+///
+///   selected  1  0  1  1
+///   v         a  b  c  d
+///   result    a  c  d  .      '.' holds nothing to rely on
+struct Compress {
+  static constexpr InstructionInfo kInfo{"compress", "selected lanes of a, moved to the front",
+                                         InstructionClass::kScan};
+  template <int W, class T>
+  static Vec<T, W> apply(Mask<W> active, Mask<W> selected, const Vec<T, W>& a) {
+    const auto from = a.lanes();
+    std::array<T, W> to{};
+    std::size_t next = 0;
+    for_each_lane(active & selected,
+                  [&](int i) { to[next++] = from[static_cast<std::size_t>(i)]; });
+    return Vec<T, W>::from_lanes(to);
+  }
+  template <int W, class T>
+  static Mask<W> reads(int, Mask<W> active, Mask<W> selected, const Vec<T, W>&) {
+    return active & selected;
+  }
+  template <int W, class T>
+  static Mask<W> defined(Mask<W> active, Mask<W> selected, const Vec<T, W>&) {
+    return Mask<W>::first_n((active & selected).count());
+  }
+};
+inline constexpr Instruction<Compress> compress;
+
+/// The inverse of compress: lane k of v goes to the k-th active and selected lane.
+struct Expand {
+  static constexpr InstructionInfo kInfo{"expand", "lanes from the front of a, moved to selected",
+                                         InstructionClass::kScan};
+  template <int W, class T>
+  static Vec<T, W> apply(Mask<W> active, Mask<W> selected, const Vec<T, W>& a) {
+    const auto from = a.lanes();
+    std::array<T, W> to{};
+    std::size_t next = 0;
+    for_each_lane(active & selected,
+                  [&](int i) { to[static_cast<std::size_t>(i)] = from[next++]; });
+    return Vec<T, W>::from_lanes(to);
+  }
+  template <int W, class T>
+  static Mask<W> reads(int, Mask<W> active, Mask<W> selected, const Vec<T, W>&) {
+    return Mask<W>::first_n((active & selected).count());
+  }
+  template <int W, class T>
+  static Mask<W> defined(Mask<W> active, Mask<W> selected, const Vec<T, W>&) {
+    return active & selected;
+  }
+};
+inline constexpr Instruction<Expand> expand;
+
+namespace detail_cross_lane {
+
+/// r[i] = a[source(i)] in active lanes.
+template <int W, class T, class F>
+Vec<T, W> move_lanes(Mask<W> active, const Vec<T, W>& a, F&& source) {
+  const auto from = a.lanes();
+  std::array<T, W> to{};
+  for_each_lane(active, [&](int i) {
+    to[static_cast<std::size_t>(i)] = from[static_cast<std::size_t>(source(i))];
+  });
+  return Vec<T, W>::from_lanes(to);
+}
+
+template <int W, class F>
+Mask<W> sources(Mask<W> active, F&& source) {
+  std::uint64_t bits = 0;
+  for_each_lane(active, [&](int i) { bits |= std::uint64_t{1} << source(i); });
+  return Mask<W>::from_bits(bits);
+}
+
+/// index modulo W, in [0, W).
+template <int W>
+int wrap(std::int32_t index) {
+  return (index % W + W) % W;
+}
+
+}  // namespace detail_cross_lane
+
+/// permute(on, a, index): any lane of a, active or not, that holds a value.
+struct Permute {
+  static constexpr InstructionInfo kInfo{"permute", "r[i] = a[index[i] modulo W]",
+                                         InstructionClass::kScan};
+  template <int W, class T>
+  static Vec<T, W> apply(Mask<W> active, const Vec<T, W>& a, const Vec<std::int32_t, W>& index) {
+    return detail_cross_lane::move_lanes(
+        active, a, [&](int i) { return detail_cross_lane::wrap<W>(index[i]); });
+  }
+  template <int W, class T>
+  static Mask<W> reads(int operand, Mask<W> active, const Vec<T, W>&,
+                       const Vec<std::int32_t, W>& index) {
+    if (operand == 1) return active;
+    return detail_cross_lane::sources<W>(
+        active, [&](int i) { return detail_cross_lane::wrap<W>(index[i]); });
+  }
+};
+inline constexpr Instruction<Permute> permute;
+
+/// shuffle_up(on, a, n): lanes below n keep their own. Requires 0 <= n.
+struct ShuffleUp {
+  static constexpr InstructionInfo kInfo{"shuffle_up", "r[i] = i >= n ? a[i - n] : a[i]",
+                                         InstructionClass::kScan};
+  static int source(int i, int n) { return i >= n ? i - n : i; }
+  template <int W, class T>
+  static Vec<T, W> apply(Mask<W> active, const Vec<T, W>& a, int n) {
+    return detail_cross_lane::move_lanes(active, a, [&](int i) { return source(i, n); });
+  }
+  template <int W, class T>
+  static Mask<W> reads(int, Mask<W> active, const Vec<T, W>&, int n) {
+    return detail_cross_lane::sources<W>(active, [&](int i) { return source(i, n); });
+  }
+};
+inline constexpr Instruction<ShuffleUp> shuffle_up;
+
+/// shuffle_down(on, a, n): the last n lanes keep their own. Requires 0 <= n.
+struct ShuffleDown {
+  static constexpr InstructionInfo kInfo{"shuffle_down", "r[i] = i + n < W ? a[i + n] : a[i]",
+                                         InstructionClass::kScan};
+  template <int W>
+  static int source(int i, int n) {
+    return i + n < W ? i + n : i;
+  }
+  template <int W, class T>
+  static Vec<T, W> apply(Mask<W> active, const Vec<T, W>& a, int n) {
+    return detail_cross_lane::move_lanes(active, a, [&](int i) { return source<W>(i, n); });
+  }
+  template <int W, class T>
+  static Mask<W> reads(int, Mask<W> active, const Vec<T, W>&, int n) {
+    return detail_cross_lane::sources<W>(active, [&](int i) { return source<W>(i, n); });
+  }
+};
+inline constexpr Instruction<ShuffleDown> shuffle_down;
+
+namespace detail_cross_lane {
+
+/// Running sums over active lanes, in lane order; integers wrap.
+template <bool kInclusive, int W, class T>
+Vec<T, W> scan(Mask<W> active, const Vec<T, W>& a) {
+  const auto from = a.lanes();
+  std::array<T, W> to{};
+  T running{};
+  for_each_lane(active, [&](int lane) {
+    const auto i = static_cast<std::size_t>(lane);
+    const T next = host::wrapped<T>(host::wrapping(running) + host::wrapping(from[i]));
+    to[i] = kInclusive ? next : running;
+    running = next;
+  });
+  return Vec<T, W>::from_lanes(to);
+}
+
+}  // namespace detail_cross_lane
+
+struct InclusiveScan {
+  static constexpr InstructionInfo kInfo{"inclusive_scan", "r[i] = sum of active a[j], j <= i",
+                                         InstructionClass::kScan};
+  template <int W, class T>
+  static Vec<T, W> apply(Mask<W> active, const Vec<T, W>& a) {
+    return detail_cross_lane::scan<true>(active, a);
+  }
+};
+inline constexpr Instruction<InclusiveScan> inclusive_scan;
+
+struct ExclusiveScan {
+  static constexpr InstructionInfo kInfo{"exclusive_scan", "r[i] = sum of active a[j], j < i",
+                                         InstructionClass::kScan};
+  template <int W, class T>
+  static Vec<T, W> apply(Mask<W> active, const Vec<T, W>& a) {
+    return detail_cross_lane::scan<false>(active, a);
+  }
+};
+inline constexpr Instruction<ExclusiveScan> exclusive_scan;
+
+struct Conflict {
+  static constexpr InstructionInfo kInfo{
+      "conflict", "m[i] = some active j < i has a[j] == a[i]", InstructionClass::kScan};
+  template <int W, host::Integers T>
+  static Mask<W> apply(Mask<W> active, const Vec<T, W>& a) {
+    const auto lanes = a.lanes();
+    std::uint64_t bits = 0;
+    for_each_lane(active, [&](int i) {
+      for_each_lane(active & Mask<W>::first_n(i), [&](int j) {
+        if (lanes[static_cast<std::size_t>(i)] == lanes[static_cast<std::size_t>(j)])
+          bits |= std::uint64_t{1} << i;
+      });
+    });
+    return Mask<W>::from_bits(bits);
+  }
+};
+inline constexpr Instruction<Conflict> conflict;
+
+}  // namespace lanescope::isa
