@@ -86,6 +86,16 @@ Vec3 unit_or(Vec3 v, Vec3 otherwise) {
   return size > 1e-20f && std::isfinite(size) ? v * (1.0f / size) : otherwise;
 }
 
+/// The loader takes comments only at the beginning of a line.
+std::string without_comments(std::string text) {
+  bool comment = false;
+  for (char& c : text) {
+    comment = c != '\n' && (comment || c == '#');
+    if (comment) c = ' ';
+  }
+  return text;
+}
+
 std::string read_file(const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
@@ -106,7 +116,7 @@ TriangleMesh parse_obj(const std::string& text, std::string_view path) {
   configuration.triangulate = false;
   configuration.vertex_color = false;
   tinyobj::ObjReader reader;
-  if (!reader.ParseFromString(text, "", configuration))
+  if (!reader.ParseFromString(without_comments(text), "", configuration))
     throw InputError(path, "cannot be read as a Wavefront OBJ file: {}", reader.Error());
 
   const std::vector<IndexedTriangle> triangles = fans(reader.GetShapes());

@@ -126,7 +126,7 @@ PatchProbe probe(const Patch& patch, const Projection& projection) {
   } else if (finite == kPoints && is_outside(points, projection)) {
     result.place = PatchProbe::Place::kOutside;
   } else if (finite < kPoints || !in_front) {
-    result.place = PatchProbe::Place::kCrossing;
+    result.place = finite < kPoints ? PatchProbe::Place::kBroken : PatchProbe::Place::kCrossing;
     measure_in_world(points, result);
   } else {
     result.place = PatchProbe::Place::kInside;

@@ -25,7 +25,8 @@ struct Patch {
 struct PatchProbe {
   enum class Place {
     kOutside,    ///< Wholly outside of the view.
-    kCrossing,   ///< Partly behind the camera, or partly not finite.
+    kCrossing,   ///< Partly behind the camera.
+    kBroken,     ///< Partly not finite.
     kInside,     ///< In front of the camera and at least partly in view.
     kNotFinite,  ///< No point of it is finite.
   };

@@ -9,8 +9,12 @@ namespace lanescope {
 namespace {
 
 // Splits before a patch that still crosses the eye plane is dropped, and before one that is still
-// too large is diced at the limit: 16 along each parameter.
-constexpr int kMaxDepth = 32;
+// too large is diced at the limit: 20 along each parameter.
+constexpr int kMaxDepth = 40;
+
+// Splits before a patch that is still partly not finite is dropped: fewer, since such patches may
+// lie along a line, and their number grows as the square root of two to this power.
+constexpr int kMaxBrokenDepth = 20;
 
 // Splits at most, when segments are made, of a patch that crosses the eye plane.
 constexpr int kMaxSegmentDepth = 10;
@@ -67,10 +71,10 @@ class SegmentTessellator {
         ++counts_.patches_dropped;
         return;
       case PatchProbe::Place::kCrossing:
-        if (patch.depth < kMaxDepth)
-          split(patch, seen.length_u >= seen.length_v);
-        else
-          ++counts_.patches_dropped;
+        split_or_drop(patch, seen, kMaxDepth);
+        return;
+      case PatchProbe::Place::kBroken:
+        split_or_drop(patch, seen, kMaxBrokenDepth);
         return;
       case PatchProbe::Place::kInside:
         split_or_dice(patch, seen);
@@ -89,6 +93,13 @@ class SegmentTessellator {
     const auto [low, high] = patch.halves(along_u);
     add(low);
     add(high);
+  }
+
+  void split_or_drop(const Patch& patch, const PatchProbe& seen, int max_depth) {
+    if (patch.depth < max_depth)
+      split(patch, seen.length_u >= seen.length_v);
+    else
+      ++counts_.patches_dropped;
   }
 
   void split_or_dice(const Patch& patch, const PatchProbe& seen) {

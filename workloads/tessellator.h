@@ -37,7 +37,8 @@ struct TessellationOptions {
 struct TessellationCounts {
   std::uint64_t patches_culled = 0;  ///< Patches dropped because they are outside the view.
   std::uint64_t patches_split = 0;
-  std::uint64_t patches_dropped = 0;  ///< Still partly behind the camera at the depth limit.
+  std::uint64_t patches_dropped =
+      0;  ///< At the depth limit partly behind the camera or not finite.
   std::uint64_t grids = 0;
   std::uint64_t micropolygons = 0;  ///< Emitted.
   std::uint64_t dropped = 0;        ///< Not emitted: behind the camera or not finite.
