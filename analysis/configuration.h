@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "kernels/kernel.h"
+#include "workloads/mesh.h"
 #include "workloads/sample_grid.h"
 #include "workloads/tessellator.h"
 
@@ -24,20 +25,21 @@ struct Configuration {
   KernelOptions options;
   /// The name of a built-in scene, or the path of a mesh file.
   std::string scene;
-  /// How the faces of a mesh become patches ("linear", "pn", "phong"); empty for a built-in scene.
-  std::string mesh_patches;
+  /// How the faces of a mesh become patches; none for a built-in scene.
+  std::optional<MeshPatches> mesh_patches;
   int frame = 0;
   float turn_degrees = 0.0f;  ///< Turns the picture about the view axis.
+  /// Without what the kernel and the sampling decide; see tessellation_options.
   TessellationOptions tessellation;
   int samples_per_pixel = 4;
   bool jitter = true;
   std::uint64_t seed = 1;  ///< Of the jitter.
 
-  /// Sets the shape that is tessellated and the one that the kernel expects, which are the same.
-  void set_shape(Micropolygon shape);
   Micropolygon shape() const { return options.shape; }
-  bool is_mesh() const { return !mesh_patches.empty(); }
+  bool is_mesh() const { return mesh_patches.has_value(); }
   SampleGrid sample_grid() const;
+  /// `tessellation`, with the shape that the kernel expects and the cells of the sample grid.
+  TessellationOptions tessellation_options() const;
 };
 
 /// Whether the packets of two configurations are the same, so that one tessellation feeds both.
@@ -56,6 +58,8 @@ inline constexpr std::array<Choice<Edges>, 2> kEdges{
     {{"inline", Edges::kInline}, {"precomputed", Edges::kPrecomputed}}};
 inline constexpr std::array<Choice<Micropolygon>, 2> kShapes{
     {{"triangle", Micropolygon::kTriangle}, {"quad", Micropolygon::kQuad}}};
+inline constexpr std::array<Choice<MeshPatches>, 3> kMeshPatches{
+    {{"linear", MeshPatches::kLinear}, {"pn", MeshPatches::kPn}, {"phong", MeshPatches::kPhong}}};
 inline constexpr std::array<Choice<bool>, 2> kSwitch{{{"on", true}, {"off", false}}};
 
 /// The word for `value`. Requires that it is among the choices.

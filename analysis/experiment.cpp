@@ -130,11 +130,10 @@ class GroupRun {
       : indices_(indices),
         options_(options),
         scene_(build_scene(configurations[indices.front()])),
-        tessellator_(scene_, configurations[indices.front()].tessellation) {
+        tessellator_(scene_, configurations[indices.front()].tessellation_options()) {
     for (const std::size_t index : indices) {
       const Configuration& c = configurations[index];
-      members_.push_back(
-          {&c, &find_kernel(c.kernel), std::make_unique<Frame>(c.sample_grid())});
+      members_.push_back({&c, &find_kernel(c.kernel), std::make_unique<Frame>(c.sample_grid())});
     }
   }
 
@@ -185,7 +184,10 @@ class GroupRun {
       run.samples_covered = members_[i].frame->covered();
     });
     if (!options_.on_frame) return;
-    for (const Member& member : members_) options_.on_frame(*member.configuration, *member.frame);
+    const Vec3 background = scene_.lighting.background;
+    for (const Member& member : members_)
+      options_.on_frame({*member.configuration, *member.frame,
+                         to_colour(background.x, background.y, background.z)});
   }
 
   const Indices& indices_;

@@ -6,10 +6,17 @@
 #include <functional>
 #include <vector>
 
+#include "analysis/image.h"
 #include "analysis/report.h"
 #include "kernels/frame.h"
 
 namespace lanescope {
+
+struct FinishedFrame {
+  const Configuration& configuration;
+  const Frame& frame;
+  Colour background;  ///< The scene's, for samples that nothing covers.
+};
 
 struct ExperimentOptions {
   int threads = 1;
@@ -17,7 +24,7 @@ struct ExperimentOptions {
   std::function<void(double fraction)> progress;
   /// Called with the finished frame of each configuration, on the caller's thread. Frames are not
   /// kept: a group of configurations has its frames only while it runs.
-  std::function<void(const Configuration&, const Frame&)> on_frame;
+  std::function<void(const FinishedFrame&)> on_frame;
 };
 
 /// Runs configurations, in groups that share a tessellation, on several threads. The report has one

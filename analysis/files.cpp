@@ -58,8 +58,7 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::commit(std::string_view contents) {
   LANESCOPE_CHECK(descriptor_ >= 0, "{} is committed twice", path_);
-  if (!write_all(descriptor_, contents) ||
-      std::rename(temporary_path_.c_str(), path_.c_str()) != 0)
+  if (!write_all(descriptor_, contents) || std::rename(temporary_path_.c_str(), path_.c_str()) != 0)
     throw InputError(path_, "cannot be written: {}", std::strerror(errno));
   ::close(std::exchange(descriptor_, -1));
 }

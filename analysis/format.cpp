@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/format.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "simulator/base/error.h"
@@ -52,10 +50,6 @@ WordGrid word_grid(const TableData& data) {
   }
   for (const Row& row : data.rows) grid.lines.push_back(line_of(row, compared));
   return grid;
-}
-
-std::string full_title(const TableData& data) {
-  return fmt::format("{} ({})", data.title, data.caption);
 }
 
 }  // namespace lanescope

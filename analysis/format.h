@@ -42,7 +42,4 @@ struct WordGrid {
 };
 WordGrid word_grid(const TableData& data);
 
-/// `title (caption)`.
-std::string full_title(const TableData& data);
-
 }  // namespace lanescope

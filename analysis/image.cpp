@@ -3,6 +3,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "simulator/base/error.h"
@@ -18,6 +19,13 @@ Colour sample_colour(std::uint64_t sample, Colour background) {
 }
 
 }  // namespace
+
+Colour to_colour(float red, float green, float blue) {
+  const auto channel = [](float value) {
+    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+  };
+  return {channel(red), channel(green), channel(blue)};
+}
 
 Image resolve(const Frame& frame, Colour background) {
   const SampleGrid& grid = frame.grid();
@@ -53,8 +61,8 @@ std::string png(const Image& image) {
   header.format = PNG_FORMAT_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
   std::string bytes(size, '\0');
-  const int written = png_image_write_to_memory(&header, bytes.data(), &size, 0,
-                                                image.pixels.data(), 0, nullptr);
+  const int written =
+      png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr);
   LANESCOPE_CHECK(written != 0, "libpng: {}", header.message);
   bytes.resize(size);
   return bytes;

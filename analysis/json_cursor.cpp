@@ -138,8 +138,9 @@ std::string JsonCursor::where() const {
 }
 
 void JsonCursor::fail(std::string_view expected) const {
-  std::string found = value_->is_object() ? "an object" : value_->is_array() ? "an array"
-                                                                             : value_->dump();
+  std::string found = value_->is_object()  ? "an object"
+                      : value_->is_array() ? "an array"
+                                           : value_->dump();
   if (found.size() > kFoundLimit) found = found.substr(0, kFoundLimit) + "...";
   throw InputError(where(), "{} is not {}", found, expected);
 }

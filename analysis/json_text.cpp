@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/json_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdlib>
 
 namespace lanescope {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLineLimit = 100;
+constexpr std::size_t kLineLimit = 140;
 
 bool holds_plain_values(const Json& value) {
   return std::none_of(value.begin(), value.end(),
@@ -51,6 +54,8 @@ void append(std::string& text, const Json& value, std::size_t indent) {
 }
 
 }  // namespace
+
+double json_number(float value) { return std::strtod(fmt::format("{}", value).c_str(), nullptr); }
 
 std::string json_text(const Json& value) {
   std::string text;

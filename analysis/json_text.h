@@ -8,6 +8,10 @@
 
 namespace lanescope {
 
+/// The number with the shortest decimal that reads back as the same float: 0.1f is written as 0.1
+/// and not as 0.10000000149.
+double json_number(float value);
+
 /// The document, with a newline at the end. Values that are not finite are written as null.
 std::string json_text(const nlohmann::ordered_json& value);
 

@@ -18,8 +18,8 @@ std::uint64_t hash_values(const float* values, int size) {
   for (int i = 0; i < size; i += kChains)
     for (int chain = 0; chain < kChains; ++chain) {
       const auto c = static_cast<std::size_t>(chain);
-      const std::uint32_t mixed = (chains[c] ^ std::bit_cast<std::uint32_t>(values[i + chain])) *
-                                  kMultiplier;
+      const std::uint32_t mixed =
+          (chains[c] ^ std::bit_cast<std::uint32_t>(values[i + chain])) * kMultiplier;
       chains[c] = mixed ^ (mixed >> 15);
     }
   std::uint64_t hash = 0;

@@ -53,9 +53,8 @@ void parallel_for(int threads, int count, const std::function<void(int, int)>& w
   Queue queue(count);
   std::vector<std::jthread> helpers;
   for (int worker = 1; worker < std::min(threads, count); ++worker)
-    helpers.emplace_back([&queue, &work, worker] {
-      queue.run([&](int item) { work(worker, item); }, nullptr);
-    });
+    helpers.emplace_back(
+        [&queue, &work, worker] { queue.run([&](int item) { work(worker, item); }, nullptr); });
   queue.run([&](int item) { work(0, item); }, progress);
   helpers.clear();  // Joins them.
   queue.rethrow();

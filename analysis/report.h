@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The report of an experiment: what was run, how, and every count as an integer. Tables and pictures
-// are functions of it. Ratios are kept as numerator and denominator; see analysis/figures.h.
+// The report of an experiment: what was run, how, and every count as an integer. Tables and
+// pictures are functions of it. Ratios are kept as numerator and denominator; see
+// analysis/figures.h.
 #pragma once
 
 #include <cstdint>
@@ -56,7 +57,7 @@ struct MetricRecord {
 /// One run of one kernel at one width on one scene.
 struct RunRecord {
   Configuration configuration;
-  bool thesis_like = false;  ///< The scene is one of those that the thesis's tables average.
+  bool thesis_like = false;      ///< The scene is one of those that the thesis's tables average.
   std::uint64_t scene_hash = 0;  ///< Of all packets; equal for equal geometry.
   TessellationCounts tessellation;
   std::vector<StageRecord> stages;  ///< Empty if the mode counts nothing.

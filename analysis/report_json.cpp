@@ -4,8 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdlib>
+#include <cmath>
 
 #include "analysis/figures.h"
 #include "analysis/json_text.h"
@@ -17,8 +16,8 @@ using Json = nlohmann::ordered_json;
 
 std::string hex(std::uint64_t value) { return fmt::format("{:#018x}", value); }
 
-/// The shortest decimal that reads back as the same float: 0.1f is 0.1 and not 0.10000000149.
-double shortest(float value) { return std::strtod(fmt::format("{}", value).c_str(), nullptr); }
+/// Microseconds are enough for times.
+double rounded_ms(double ms) { return std::round(ms * 1000.0) / 1000.0; }
 
 Json ratio_json(const Ratio& ratio) {
   const auto value = ratio.value();
@@ -36,37 +35,35 @@ Json list_json(const std::vector<Record>& records, Write write) {
 
 Json scene_json(const RunRecord& run) {
   const Configuration& c = run.configuration;
-  return {{"name", c.scene},
-          {"mesh_patches", c.is_mesh() ? Json(c.mesh_patches) : Json(nullptr)},
-          {"frame", c.frame},
-          {"turn_degrees", shortest(c.turn_degrees)},
-          {"thesis_like", run.thesis_like},
-          {"hash", hex(run.scene_hash)}};
+  return {
+      {"name", c.scene},
+      {"mesh_patches", c.is_mesh() ? Json(name_of(kMeshPatches, *c.mesh_patches)) : Json(nullptr)},
+      {"frame", c.frame},
+      {"turn_degrees", json_number(c.turn_degrees)},
+      {"thesis_like", run.thesis_like},
+      {"hash", hex(run.scene_hash)}};
 }
 
 Json parameters_json(const Configuration& c) {
   return {{"mode", name_of(kModes, c.mode)},
           {"cull_backfaces", c.options.cull_backfaces},
           {"edges", name_of(kEdges, c.options.edges)},
-          {"stream_load_threshold", shortest(c.options.stream_load_threshold)},
+          {"stream_load_threshold", json_number(c.options.stream_load_threshold)},
           {"width_px", c.tessellation.width_px},
           {"height_px", c.tessellation.height_px},
           {"samples_per_pixel", c.samples_per_pixel},
           {"jitter", c.jitter},
           {"seed", c.seed},
-          {"dice_area_px", shortest(c.tessellation.dice_area_px)},
+          {"dice_area_px", json_number(c.tessellation.dice_area_px)},
           {"grid_limit", c.tessellation.grid_limit},
           {"packet_capacity", c.tessellation.packet_capacity},
-          {"grid_overlap_px", shortest(c.tessellation.grid_overlap_px)}};
+          {"grid_overlap_px", json_number(c.tessellation.grid_overlap_px)}};
 }
 
 Json tessellation_json(const TessellationCounts& counts) {
-  return {{"patches_culled", counts.patches_culled},
-          {"patches_split", counts.patches_split},
-          {"patches_dropped", counts.patches_dropped},
-          {"grids", counts.grids},
-          {"micropolygons", counts.micropolygons},
-          {"dropped", counts.dropped}};
+  return {{"patches_culled", counts.patches_culled},   {"patches_split", counts.patches_split},
+          {"patches_dropped", counts.patches_dropped}, {"grids", counts.grids},
+          {"micropolygons", counts.micropolygons},     {"dropped", counts.dropped}};
 }
 
 Json instruction_json(const InstructionRecord& counts) {
@@ -104,19 +101,18 @@ Json metric_json(const RunRecord& run, const MetricRecord& metric) {
 
 Json run_json(const RunRecord& run) {
   const Configuration& c = run.configuration;
-  return {
-      {"kernel", c.kernel},
-      {"width_lanes", c.width},
-      {"micropolygon", to_string(c.shape())},
-      {"scene", scene_json(run)},
-      {"parameters", parameters_json(c)},
-      {"tessellation", tessellation_json(run.tessellation)},
-      {"stages", list_json(run.stages, [&](const auto& s) { return stage_json(s, c.width); })},
-      {"counters", list_json(run.counters, counter_json)},
-      {"metrics", list_json(run.metrics, [&](const auto& m) { return metric_json(run, m); })},
-      {"hits_hash", hex(run.hits_hash)},
-      {"frame_hash", hex(run.frame_hash)},
-      {"samples_covered", run.samples_covered}};
+  return {{"kernel", c.kernel},
+          {"width_lanes", c.width},
+          {"micropolygon", to_string(c.shape())},
+          {"scene", scene_json(run)},
+          {"parameters", parameters_json(c)},
+          {"tessellation", tessellation_json(run.tessellation)},
+          {"stages", list_json(run.stages, [&](const auto& s) { return stage_json(s, c.width); })},
+          {"counters", list_json(run.counters, counter_json)},
+          {"metrics", list_json(run.metrics, [&](const auto& m) { return metric_json(run, m); })},
+          {"hits_hash", hex(run.hits_hash)},
+          {"frame_hash", hex(run.frame_hash)},
+          {"samples_covered", run.samples_covered}};
 }
 
 Json entry_json(const InstructionEntry& entry) {
@@ -127,11 +123,11 @@ Json entry_json(const InstructionEntry& entry) {
 }
 
 Json timing_json(const Timing& timing) {
-  return {{"wall_ms", timing.wall_ms},
+  return {{"wall_ms", rounded_ms(timing.wall_ms)},
           {"threads", timing.threads},
           {"host", timing.host},
           {"compiler", timing.compiler},
-          {"kernel_ms", timing.kernel_ms}};
+          {"kernel_ms", list_json(timing.kernel_ms, rounded_ms)}};
 }
 
 }  // namespace

@@ -42,12 +42,11 @@ void check_ratio(const JsonCursor& cursor, const Ratio& expected) {
 }
 
 void read_scene(const JsonCursor& cursor, RunRecord& run) {
-  cursor.require_members(
-      {"name", "mesh_patches", "frame", "turn_degrees", "thesis_like", "hash"});
+  cursor.require_members({"name", "mesh_patches", "frame", "turn_degrees", "thesis_like", "hash"});
   Configuration& c = run.configuration;
   c.scene = cursor.member("name").string();
   const JsonCursor patches = cursor.member("mesh_patches");
-  if (!patches.is_null()) c.mesh_patches = patches.string();
+  if (!patches.is_null()) c.mesh_patches = read_choice(patches, kMeshPatches);
   c.frame = cursor.member("frame").integer(0);
   c.turn_degrees = read_float(cursor.member("turn_degrees"));
   run.thesis_like = cursor.member("thesis_like").boolean();
@@ -74,7 +73,8 @@ void read_parameters(const JsonCursor& cursor, Configuration& c) {
 }
 
 TessellationCounts read_tessellation(const JsonCursor& cursor) {
-  cursor.require_members({"patches_culled", "patches_split", "patches_dropped", "grids", "micropolygons", "dropped"});
+  cursor.require_members(
+      {"patches_culled", "patches_split", "patches_dropped", "grids", "micropolygons", "dropped"});
   TessellationCounts counts;
   counts.patches_culled = cursor.member("patches_culled").count();
   counts.patches_split = cursor.member("patches_split").count();
@@ -137,7 +137,7 @@ RunRecord read_run(const JsonCursor& cursor) {
   RunRecord run;
   run.configuration.kernel = cursor.member("kernel").string();
   run.configuration.width = cursor.member("width_lanes").integer(1, kMaxWidth);
-  run.configuration.set_shape(read_choice(cursor.member("micropolygon"), kShapes));
+  run.configuration.options.shape = read_choice(cursor.member("micropolygon"), kShapes);
   read_scene(cursor.member("scene"), run);
   read_parameters(cursor.member("parameters"), run.configuration);
   run.tessellation = read_tessellation(cursor.member("tessellation"));
@@ -191,8 +191,7 @@ void check_consistency(const JsonCursor& document, const Report& report) {
   const std::size_t times = report.timing.kernel_ms.size();
   if (times != report.runs.size())
     throw InputError(document.member("timing").member("kernel_ms").where(),
-                     "has {} elements; {} are needed, one for each run", times,
-                     report.runs.size());
+                     "has {} elements; {} are needed, one for each run", times, report.runs.size());
 }
 
 }  // namespace

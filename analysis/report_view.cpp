@@ -60,8 +60,7 @@ ReportView::ReportView(const Report& report, const std::string& scene)
   check_distinct_runs(report);
   const std::vector<std::string> known = scenes_of(report);
   if (std::find(known.begin(), known.end(), scene) == known.end())
-    throw InputError("report", "has no run of the scene '{}'{}", scene,
-                     did_you_mean(scene, known));
+    throw InputError("report", "has no run of the scene '{}'{}", scene, did_you_mean(scene, known));
 }
 
 std::string ReportView::caption() const {

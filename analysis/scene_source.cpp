@@ -4,13 +4,13 @@
 namespace lanescope {
 
 Scene build_scene(const Configuration& configuration) {
-  Scene scene = find_scene(configuration.scene).build(configuration.frame);
+  Scene scene = configuration.is_mesh()
+                    ? load_mesh_scene(configuration.scene, *configuration.mesh_patches)
+                    : find_scene(configuration.scene).build(configuration.frame);
   if (configuration.turn_degrees != 0.0f)
     scene.camera = scene.camera.turned(configuration.turn_degrees);
   return scene;
 }
-
-std::vector<std::string> mesh_patch_names() { return {"linear", "pn", "phong"}; }
 
 bool is_thesis_like(const Configuration& configuration) {
   return !configuration.is_mesh() && find_scene(configuration.scene).thesis_like;

@@ -2,9 +2,6 @@
 // The scene that a configuration names.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "analysis/configuration.h"
 #include "workloads/scene.h"
 
@@ -13,9 +10,6 @@ namespace lanescope {
 /// Builds the built-in scene or loads the mesh, with the picture turned as asked. Throws InputError
 /// if there is no such scene or the mesh cannot be loaded.
 Scene build_scene(const Configuration& configuration);
-
-/// The words for how the faces of a mesh become patches.
-std::vector<std::string> mesh_patch_names();
 
 /// Whether the configuration's scene is one of those that the thesis's tables average.
 bool is_thesis_like(const Configuration& configuration);

@@ -18,7 +18,7 @@ double rounded(double value, int decimals) {
 TableData build_table(const Table& table, const ReportView& view) {
   TableData data = table.build(view);
   data.name = table.name;
-  data.caption = view.caption();
+  if (data.caption.empty()) data.caption = view.caption();
   return data;
 }
 
@@ -38,7 +38,8 @@ std::string shown(const Cell& cell) {
 std::string shown_thesis(const Figure& figure) {
   if (!figure.thesis) return {};
   const Unit& unit = *figure.unit;
-  return fmt::format("{:.{}f}{}", *figure.thesis * unit.scale, unit.thesis_decimals, unit.suffix);
+  return fmt::format("{}{:.{}f}{}", unit.difference == Difference::kBound ? "<" : "",
+                     *figure.thesis * unit.scale, unit.thesis_decimals, unit.suffix);
 }
 
 std::optional<double> rounded_difference(const Figure& figure) {
@@ -50,7 +51,7 @@ std::optional<double> rounded_difference(const Figure& figure) {
 }
 
 std::string shown_difference(const Figure& figure) {
-  if (!figure.ours || !figure.thesis) return {};
+  if (!figure.ours || !figure.thesis || figure.unit->difference == Difference::kBound) return {};
   if (figure.unit->difference == Difference::kRelative) {
     if (*figure.thesis == 0.0) return "n/a";
     // Adding 0 turns a negative zero, which would print as -0, into a positive one.

@@ -16,6 +16,7 @@ namespace lanescope {
 enum class Difference {
   kAbsolute,  ///< Ours minus theirs.
   kRelative,  ///< In percent of theirs.
+  kBound,     ///< Theirs is an upper bound, so there is none.
 };
 
 /// What a number is and how it is shown. A value is stored unscaled: a utilization as 0.83.
@@ -29,7 +30,7 @@ struct Unit {
 };
 
 inline constexpr Unit kPercent{"fraction", 100.0, "%", 1, 0, Difference::kAbsolute};
-inline constexpr Unit kSmallPercent{"fraction", 100.0, "%", 3, 0, Difference::kAbsolute};
+inline constexpr Unit kSmallPercent{"fraction", 100.0, "%", 3, 0, Difference::kBound};
 inline constexpr Unit kShare{"fraction", 1.0, "", 2, 2, Difference::kAbsolute};
 inline constexpr Unit kInstructions{"instructions/micropolygon", 1.0, "", 2, 2,
                                     Difference::kRelative};
@@ -64,7 +65,7 @@ struct Row {
 
 struct TableData {
   std::string name;     ///< Of the table's descriptor.
-  std::string caption;  ///< The scenes, as ReportView::caption has them.
+  std::string caption;  ///< What the figures are of: the scenes, as ReportView::caption has them.
   std::string title;
   std::string row_header;
   std::vector<std::string> columns;
@@ -76,7 +77,7 @@ struct TableData {
 struct Table {
   std::string_view name;
   std::string_view summary;
-  /// Leaves `name` and `caption` to build_table.
+  /// Leaves `name` to build_table, and `caption` too unless it is not that of the view.
   TableData (*build)(const ReportView& view);
 };
 
@@ -89,7 +90,7 @@ TableData build_table(const Table& table, const ReportView& view);
 std::string shown(const Figure& figure);
 /// The shown form of a whole cell, without the thesis's number: `83.4% (0.68)`.
 std::string shown(const Cell& cell);
-/// The thesis's number as the thesis prints it, or empty.
+/// The thesis's number as the thesis prints it, or empty; `<1%` for a bound.
 std::string shown_thesis(const Figure& figure);
 /// The difference with its sign, in the last digit that the thesis prints, or in percent; empty
 /// where either number is missing.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The numbers of the thesis (Luong 2010, chapter 4), from analysis/data/thesis-tables.json, which is
-// built into the program.
+// The numbers of the thesis (Luong 2010, chapter 4), from analysis/data/thesis-tables.json, which
+// is built into the program.
 #pragma once
 
 #include <array>

@@ -39,9 +39,10 @@ std::optional<double> stage_utilization(const ReportView& view, const Series& se
 
 std::optional<double> stage_share(const ReportView& view, const Series& series,
                                   std::string_view stage, int width, Stages of) {
-  return stage_mean(view, series, stage, width, [&](const RunRecord& run, const StageRecord& found) {
-    return Ratio{found.total().issued, total(run, of).issued}.value();
-  });
+  return stage_mean(view, series, stage, width,
+                    [&](const RunRecord& run, const StageRecord& found) {
+                      return Ratio{found.total().issued, total(run, of).issued}.value();
+                    });
 }
 
 std::optional<double> overall_utilization(const ReportView& view, const Series& series, int width,
@@ -59,9 +60,8 @@ std::optional<double> instructions(const ReportView& view, const Series& series,
 
 std::optional<double> stage_instructions(const ReportView& view, const Series& series,
                                          std::string_view stage, int width) {
-  return view.mean(series, width, [&](const RunRecord& run) {
-    return instructions_per_micropolygon(run, stage);
-  });
+  return view.mean(series, width,
+                   [&](const RunRecord& run) { return instructions_per_micropolygon(run, stage); });
 }
 
 std::optional<double> overhead_share(const ReportView& view, const Series& series,
@@ -116,8 +116,8 @@ std::optional<double> saved_by_quads(const ReportView& view, std::string_view ke
 }
 
 std::optional<double> average_working_set(const ReportView& view, const Series& series, int width) {
-  return quotient(
-      counter_mean(view, series, width, "working_set_sum", "working_set_observations"), width);
+  return quotient(counter_mean(view, series, width, "working_set_sum", "working_set_observations"),
+                  width);
 }
 
 std::optional<double> largest_working_set(const ReportView& view, const Series& series, int width) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The figures of the thesis's tables, of the scenes of a view: means over scenes of each scene's
-// ratio, as in the thesis (4). Sums go over the stages of its tables, so without Setup, unless said.
+// ratio, as in the thesis (4). Sums go over the stages of its tables, so without Setup, unless
+// said.
 #pragma once
 
 #include <array>

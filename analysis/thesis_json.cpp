@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "analysis/json_text.h"
 #include "analysis/tables/utilization.h"
 #include "analysis/thesis.h"
 #include "analysis/thesis_figures.h"
@@ -29,8 +30,8 @@ Json setup_json(const ReportView& view) {
   return {{"widths", kThesisWidths},
           {"resolution", {c.tessellation.width_px, c.tessellation.height_px}},
           {"msaa", c.samples_per_pixel},
-          {"triangle_area_px", c.tessellation.dice_area_px / 2},
-          {"quad_area_px", c.tessellation.dice_area_px},
+          {"triangle_area_px", json_number(c.tessellation.dice_area_px / 2)},
+          {"quad_area_px", json_number(c.tessellation.dice_area_px)},
           {"backface_culling", c.options.cull_backfaces},
           {"averaged_over_scenes", view.scenes()},
           {"instruction_counts_are",
@@ -61,10 +62,11 @@ Json overhead_json(const ReportView& view) {
   Json shares = Json::object();
   for (const std::string_view stage : kThesisStages)
     shares[std::string(stage)] = or_null(mean_overhead_share(view, kRepackTriangle, stage));
-  return {{"algorithm", "REPACK"},
-          {"overhead", shares},
-          {"definition",
-           "share of the stage's own instructions that are spent on buffers, mean over the widths"}};
+  return {
+      {"algorithm", "REPACK"},
+      {"overhead", shares},
+      {"definition",
+       "share of the stage's own instructions that are spent on buffers, mean over the widths"}};
 }
 
 Json shape_json(const ReportView& view, const Series& series) {
@@ -85,7 +87,8 @@ std::optional<double> largest(std::optional<double> a, std::optional<double> b) 
 
 /// Processors of the thesis's speed: it divides its 22 billion instructions a second among 20.
 std::optional<double> larrabee_units(const ReportView& view, Micropolygon shape) {
-  const auto rate = thesis_value({"text_claims", "larrabee_units_at_60fps", "vector_ops_per_second"});
+  const auto rate =
+      thesis_value({"text_claims", "larrabee_units_at_60fps", "vector_ops_per_second"});
   const auto units = thesis_value({"text_claims", "larrabee_units_at_60fps", "triangles"});
   return quotient(instructions_per_second(view, shape, false), quotient(rate, units));
 }
@@ -104,31 +107,30 @@ Json claims_json(const ReportView& view) {
   const auto per_quad = quotient(instructions(view, kLockstepQuad, kClaimWidth),
                                  instructions(view, kLockstepTriangle, kClaimWidth));
   constexpr int kVertexBytes = kAttributeCount * static_cast<int>(sizeof(float));
-  return {
-      {"quads_total_operations_saved", or_null(saved_by_quads(view, "lockstep", kClaimWidth))},
-      {"quads_ste_over_triangles", or_null(ste)},
-      {"quad_over_triangle_ops_per_mp", or_null(per_quad)},
-      {"repack_working_set_over_width", working_set_json(view)},
-      {"conflict_rate_max_at_w64",
-       or_null(largest(conflicting_invocations(view, kLockstepTriangle, 64),
-                       conflicting_invocations(view, kRepackTriangle, 64)))},
-      {"test_and_stream_load_combined_utilization",
-       or_null(test_and_load_utilization(view, kRepackTriangle, kClaimWidth))},
-      {"vertex_bytes", kVertexBytes},
-      {"triangle_bytes", 3 * kVertexBytes},
-      {"ops_per_mp_at_w16", or_null(instructions(view, kLockstepTriangle, kClaimWidth))},
-      {"larrabee_units_at_60fps",
-       {{"triangles", or_null(larrabee_units(view, Micropolygon::kTriangle))},
-        {"quads", or_null(larrabee_units(view, Micropolygon::kQuad))},
-        {"vector_ops_per_second",
-         or_null(instructions_per_second(view, Micropolygon::kTriangle, false))}}}};
+  return {{"quads_total_operations_saved", or_null(saved_by_quads(view, "lockstep", kClaimWidth))},
+          {"quads_ste_over_triangles", or_null(ste)},
+          {"quad_over_triangle_ops_per_mp", or_null(per_quad)},
+          {"repack_working_set_over_width", working_set_json(view)},
+          {"conflict_rate_max_at_w64",
+           or_null(largest(conflicting_invocations(view, kLockstepTriangle, 64),
+                           conflicting_invocations(view, kRepackTriangle, 64)))},
+          {"test_and_stream_load_combined_utilization",
+           or_null(test_and_load_utilization(view, kRepackTriangle, kClaimWidth))},
+          {"vertex_bytes", kVertexBytes},
+          {"triangle_bytes", 3 * kVertexBytes},
+          {"ops_per_mp_at_w16", or_null(instructions(view, kLockstepTriangle, kClaimWidth))},
+          {"larrabee_units_at_60fps",
+           {{"triangles", or_null(larrabee_units(view, Micropolygon::kTriangle))},
+            {"quads", or_null(larrabee_units(view, Micropolygon::kQuad))},
+            {"vector_ops_per_second",
+             or_null(instructions_per_second(view, Micropolygon::kTriangle, false))}}}};
 }
 
 }  // namespace
 
 Json thesis_json(const ReportView& view) {
-  return {{"source", fmt::format("lanescope {}: {}", view.report().program_version,
-                                 view.report().command)},
+  return {{"source",
+           fmt::format("lanescope {}: {}", view.report().program_version, view.report().command)},
           {"setup", setup_json(view)},
           {"table_4_1", utilization_json(view, utilization_table("4.1"))},
           {"table_4_2", utilization_json(view, utilization_table("4.2"))},

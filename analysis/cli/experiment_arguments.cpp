@@ -89,9 +89,7 @@ int resolve_frame(const std::string& text, const SceneDescriptor& scene) {
 void resolve_mesh(const ExperimentArguments& a, Configuration& c) {
   if (!a.frame.empty()) throw InputError("--frame", "a mesh has no frames; leave it out");
   c.scene = a.mesh;
-  c.mesh_patches = a.patches.empty()
-                       ? "pn"
-                       : parse_name({"--patches", a.patches}, "a kind of patch", mesh_patch_names());
+  c.mesh_patches = parse_choice({"--patches", a.patches}, kMeshPatches);
 }
 
 }  // namespace
@@ -113,8 +111,8 @@ ExperimentArguments::ExperimentArguments() {
 }
 
 void add_experiment_options(CLI::App& app, ExperimentArguments& a) {
-  const auto add = [&](const char* group, const char* option, std::string& text,
-                       const char* form, const char* meaning) {
+  const auto add = [&](const char* group, const char* option, std::string& text, const char* form,
+                       const char* meaning) {
     CLI::Option* added = app.add_option(option, text, meaning)->group(group)->type_name(form);
     if (!text.empty()) added->default_str(text);
     return added;
@@ -122,18 +120,21 @@ void add_experiment_options(CLI::App& app, ExperimentArguments& a) {
   CLI::Option* scene = add("Scene", "--scene", a.scene, "NAMES", "Scenes, or `thesis`, or `all`");
   CLI::Option* mesh = add("Scene", "--mesh", a.mesh, "FILE", "A Wavefront OBJ file instead");
   mesh->excludes(scene);
-  add("Scene", "--patches", a.patches, "KIND", "Faces of the mesh become linear, pn or phong patches")
+  add("Scene", "--patches", a.patches, "KIND",
+      "Faces of the mesh become linear, pn or phong patches")
       ->needs(mesh);
   add("Scene", "--frame", a.frame, "N", "Frame of the animation, from 0");
   add("Scene", "--turn", a.turn, "DEGREES", "Turns the picture about the view axis");
   add("Scene", "--resolution", a.resolution, "WxH", "Size of the frame in pixels");
-  add("Tessellation", "--dice-area", a.dice_area, "PX", "Area of a quad in pixels; a triangle has half");
+  add("Tessellation", "--dice-area", a.dice_area, "PX",
+      "Area of a quad in pixels; a triangle has half");
   add("Tessellation", "--grid", a.grid, "N", "A grid has at most N x N quads");
   add("Tessellation", "--drain", a.drain, "N", "Kernels drain after N micropolygons");
   add("Sampling", "--msaa", a.msaa, "N", "Samples a pixel: 1, 4, 9, 16 or 64");
   add("Sampling", "--jitter", a.jitter, "on|off", "Samples at random places of their cells");
   add("Sampling", "--seed", a.seed, "N", "Seed of the jitter");
-  add("Kernels", "--edges", a.edges, "WHEN", "Edge equations in Test (inline) or in Bound (precomputed)");
+  add("Kernels", "--edges", a.edges, "WHEN",
+      "Edge equations in Test (inline) or in Bound (precomputed)");
   add("Kernels", "--stream-load-threshold", a.stream_load_threshold, "SHARE",
       "REPACK loads when this share of the lanes is free, 0 to 1");
   add("Kernels", "--cull", a.cull, "on|off", "Drop micropolygons that face away");
@@ -201,8 +202,7 @@ std::vector<int> resolve_widths(const std::string& text, const std::string& kern
 }
 
 std::vector<Configuration> cross(const std::vector<Configuration>& scenes,
-                                 const std::vector<std::string>& kernels,
-                                 const std::string& widths,
+                                 const std::vector<std::string>& kernels, const std::string& widths,
                                  const std::vector<Micropolygon>& shapes) {
   std::vector<Configuration> configurations;
   for (const Configuration& scene : scenes)
@@ -210,7 +210,7 @@ std::vector<Configuration> cross(const std::vector<Configuration>& scenes,
       for (const std::string& kernel : kernels)
         for (const int width : resolve_widths(widths, kernel)) {
           Configuration& c = configurations.emplace_back(scene);
-          c.set_shape(shape);
+          c.options.shape = shape;
           c.kernel = kernel;
           c.width = width;
         }

@@ -19,7 +19,7 @@ namespace lanescope {
 struct ExperimentArguments {
   std::string scene;
   std::string mesh;
-  std::string patches;
+  std::string patches = "pn";
   std::string frame;
   std::string turn = "0";
   std::string resolution;
@@ -63,8 +63,7 @@ std::vector<int> resolve_widths(const std::string& text, const std::string& kern
 
 /// Every scene with every kernel at every width on every kind of micropolygon.
 std::vector<Configuration> cross(const std::vector<Configuration>& scenes,
-                                 const std::vector<std::string>& kernels,
-                                 const std::string& widths,
+                                 const std::vector<std::string>& kernels, const std::string& widths,
                                  const std::vector<Micropolygon>& shapes);
 
 }  // namespace lanescope

@@ -24,8 +24,8 @@ std::string line(std::string_view name, std::string_view text) {
 std::string list_kernels() {
   std::string text;
   for (const Kernel* kernel : kernels())
-    text += line(kernel->name, fmt::format("{}; W = {}", kernel->summary,
-                                           fmt::join(kernel->widths, ", ")));
+    text += line(kernel->name,
+                 fmt::format("{}; W = {}", kernel->summary, fmt::join(kernel->widths, ", ")));
   return text;
 }
 
@@ -64,6 +64,7 @@ constexpr std::array<List, 4> kLists{{{"kernels", list_kernels},
 void list(const std::string& what) {
   std::vector<std::string> names;
   for (const List& list : kLists) names.emplace_back(list.name);
+  if (what.empty()) throw InputError("list", "of what? Use {}", list_or(names));
   const std::string chosen = parse_name({"list", what}, "a list", names);
   for (const List& list : kLists)
     if (list.name == chosen) print(list.text());
@@ -71,9 +72,7 @@ void list(const std::string& what) {
 
 std::function<void()> declare(CLI::App& app) {
   const auto what = std::make_shared<std::string>();
-  app.add_option("what", *what, "kernels, scenes, instructions or tables")
-      ->type_name("WHAT")
-      ->required();
+  app.add_option("what", *what, "kernels, scenes, instructions or tables")->type_name("WHAT");
   return [what] { list(*what); };
 }
 

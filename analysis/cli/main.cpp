@@ -51,6 +51,13 @@ void refuse_unknown_command(const CLI::App& app) {
                    did_you_mean(extras.front(), names));
 }
 
+/// An option given without its value, or with an empty one, must not pass for one left out.
+void refuse_empty_values(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& value : option->results())
+      if (value.empty()) throw InputError(option->get_name(), "has an empty value");
+}
+
 using Action = std::function<void()>;
 
 Action declare(CLI::App& app, const Command& command) {
@@ -60,13 +67,21 @@ Action declare(CLI::App& app, const Command& command) {
   Action action = command.declare(*sub);
   return [sub, action] {
     refuse_extras(*sub);
+    refuse_empty_values(*sub);
     action();
   };
 }
 
-/// The first line of what CLI11 says.
-std::string one_line(const CLI::ParseError& error) {
+/// What CLI11 complains of, in our words where its own are unclear.
+std::string explained(const CLI::ParseError& error) {
   const std::string text = error.what();
+  const std::string option = text.substr(0, text.find(':'));
+  if (error.get_name() == "ArgumentMismatch")
+    return option + (text.find("missing") != text.npos ? ": needs a value" : ": is given twice");
+  if (error.get_name() == "ConversionError" && text.rfind("Could not convert: ", 0) == 0) {
+    const std::string rest = text.substr(text.find(": ") + 2);
+    return rest.substr(0, rest.find(' ')) + ": takes no value";
+  }
   return text.substr(0, text.find('\n'));
 }
 
@@ -85,7 +100,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version.
-    print_error(one_line(error));
+    print_error(explained(error));
     return kUsersMistake;
   }
   for (const auto& [command, action] : actions)

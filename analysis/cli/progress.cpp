@@ -41,7 +41,8 @@ void Progress::update(double fraction) {
   if (elapsed < next_s_) return;
   next_s_ = terminal_ ? elapsed + kTerminalPeriod_s : elapsed * kBackOff;
   drawn_ = true;
-  std::string text = fmt::format("{}: {:.0f}%, {}", title_, 100.0 * fraction, duration_text(elapsed));
+  std::string text =
+      fmt::format("{}: {:.0f}%, {}", title_, 100.0 * fraction, duration_text(elapsed));
   if (fraction > 0.0)
     text += fmt::format(", about {} left", duration_text(elapsed * (1.0 / fraction - 1.0)));
   text = terminal_ ? fmt::format("\r{}\033[K", text) : text + '\n';

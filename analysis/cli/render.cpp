@@ -24,10 +24,9 @@ struct Arguments {
 };
 
 Configuration resolve(const Arguments& arguments) {
-  const std::vector<Configuration> all =
-      cross(resolve_scenes(arguments.experiment, DefaultScenes::kFirst),
-            resolve_kernels(arguments.kernel), arguments.width,
-            resolve_shapes(arguments.micropolygon));
+  const std::vector<Configuration> all = cross(
+      resolve_scenes(arguments.experiment, DefaultScenes::kFirst),
+      resolve_kernels(arguments.kernel), arguments.width, resolve_shapes(arguments.micropolygon));
   if (all.size() != 1)
     throw InputError("render", "draws one picture; give one scene, kernel, width and micropolygon");
   return all.front();
@@ -35,13 +34,14 @@ Configuration resolve(const Arguments& arguments) {
 
 void render(const CLI::App& app, const Arguments& arguments) {
   const Configuration configuration = resolve(arguments);
+  if (arguments.output.empty()) throw InputError("--output", "is missing; name a PNG file");
   ExperimentOptions options;
   options.threads = resolve_threads(arguments.experiment);
   Destination picture(arguments.output);
   Progress progress(app.get_name());
   options.progress = [&](double fraction) { progress.update(fraction); };
-  options.on_frame = [&](const Configuration&, const Frame& frame) {
-    picture.write(png(resolve(frame)));
+  options.on_frame = [&](const FinishedFrame& finished) {
+    picture.write(png(resolve(finished.frame, finished.background)));
   };
   run_experiment({configuration}, options);
 }
@@ -58,7 +58,6 @@ std::function<void()> declare(CLI::App& app) {
   add_experiment_options(app, arguments->experiment);
   app.add_option("-o,--output", arguments->output, "The picture, a PNG file; - for standard output")
       ->type_name("FILE")
-      ->required()
       ->group("Output");
   return [&app, arguments] { render(app, *arguments); };
 }

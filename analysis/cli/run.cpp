@@ -24,10 +24,9 @@ struct Arguments {
 };
 
 void run(const CLI::App& app, const Arguments& arguments) {
-  const std::vector<Configuration> configurations =
-      cross(resolve_scenes(arguments.experiment, DefaultScenes::kFirst),
-            resolve_kernels(arguments.kernel), arguments.width,
-            resolve_shapes(arguments.micropolygon));
+  const std::vector<Configuration> configurations = cross(
+      resolve_scenes(arguments.experiment, DefaultScenes::kFirst),
+      resolve_kernels(arguments.kernel), arguments.width, resolve_shapes(arguments.micropolygon));
   ExperimentOptions options;
   options.threads = resolve_threads(arguments.experiment);
   Destination json(arguments.json);

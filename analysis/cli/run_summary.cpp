@@ -89,9 +89,9 @@ TableData summary(const Runs& runs) {
   const Configuration& c = runs.front()->configuration;
   TableData data;
   data.name = "run";
-  data.caption = fmt::format("frame {}, {}x{}, {} samples a pixel", c.frame,
-                             c.tessellation.width_px, c.tessellation.height_px,
-                             c.samples_per_pixel);
+  data.caption =
+      fmt::format("frame {}, {}x{}, {} samples a pixel", c.frame, c.tessellation.width_px,
+                  c.tessellation.height_px, c.samples_per_pixel);
   data.title = fmt::format("{} on {}, {}s", c.kernel, c.scene, to_string(c.shape()));
   data.row_header = "Utilization (share of the instructions)";
   for (const RunRecord* run : runs)

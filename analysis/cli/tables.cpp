@@ -44,15 +44,16 @@ struct Request {
 Request resolve(const Arguments& arguments) {
   std::vector<std::string> names = names_of(formats());
   names.emplace_back(kJson);
-  Request request{parse_name({"--format", arguments.format}, "a format", names), {},
-                  arguments.per_scene};
+  Request request{
+      parse_name({"--format", arguments.format}, "a format", names), {}, arguments.per_scene};
   for (const std::string& wanted : arguments.tables) {
     const std::string name = parse_name({"--table", wanted}, "a table", names_of(tables()));
     for (const Table* table : tables())
       if (table->name == name) request.tables.push_back(table);
   }
   if (request.format == kJson && (request.per_scene || !request.tables.empty()))
-    throw InputError("--format", "json holds all tables of the mean; leave out --table and --per-scene");
+    throw InputError("--format",
+                     "json holds all tables of the mean; leave out --table and --per-scene");
   if (request.tables.empty()) request.tables = tables();
   return request;
 }
@@ -88,9 +89,10 @@ std::string picture_name(const Configuration& configuration) {
 class Pictures {
  public:
   explicit Pictures(std::string directory) : directory_(std::move(directory)) {}
-  void take(const Configuration& configuration, const Frame& frame) {
-    if (directory_.empty() || !drawn_.insert(configuration.scene).second) return;
-    write_file(fmt::format("{}/{}", directory_, picture_name(configuration)), png(resolve(frame)));
+  void take(const FinishedFrame& finished) {
+    if (directory_.empty() || !drawn_.insert(finished.configuration.scene).second) return;
+    write_file(fmt::format("{}/{}", directory_, picture_name(finished.configuration)),
+               png(resolve(finished.frame, finished.background)));
   }
 
  private:
@@ -106,9 +108,7 @@ Report make_report(const CLI::App& app, const Arguments& arguments) {
   Pictures pictures(arguments.out);
   Progress progress(app.get_name());
   options.progress = [&](double fraction) { progress.update(fraction); };
-  options.on_frame = [&](const Configuration& configuration, const Frame& frame) {
-    pictures.take(configuration, frame);
-  };
+  options.on_frame = [&](const FinishedFrame& finished) { pictures.take(finished); };
   Report report = run_experiment(configurations, options);
   report.command = command_of(app);
   return report;
@@ -124,8 +124,9 @@ void write_directory(const std::string& directory, const Report& report) {
 }
 
 void tell_end(const Arguments& arguments, const Report& report) {
-  std::string text = fmt::format("lanescope: {} runs took {:.1f} s on {} threads", report.runs.size(),
-                                 report.timing.wall_ms / 1000.0, report.timing.threads);
+  std::string text =
+      fmt::format("lanescope: {} runs took {:.1f} s on {} threads", report.runs.size(),
+                  report.timing.wall_ms / 1000.0, report.timing.threads);
   if (!arguments.out.empty()) text += fmt::format("; results are in {}/", arguments.out);
   std::fputs((text + '\n').c_str(), stderr);
 }

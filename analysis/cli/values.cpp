@@ -52,7 +52,8 @@ std::vector<Argument> parse_list(const Argument& argument) {
     more = comma != rest.npos;
     if (more) rest.remove_prefix(comma + 1);
     if (element.text.empty())
-      throw InputError(argument.option, "'{}' has an empty element; separate values by single commas",
+      throw InputError(argument.option,
+                       "'{}' has an empty element; separate values by single commas",
                        argument.text);
     if (std::any_of(elements.begin(), elements.end(),
                     [&](const Argument& other) { return other.text == element.text; }))
@@ -66,8 +67,8 @@ std::string parse_name(const Argument& argument, std::string_view kind,
                        const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), argument.text) != names.end())
     return std::string(argument.text);
-  throw InputError(argument.option, "'{}' is not {}; use {}{}", argument.text, kind,
-                   list_or(names), did_you_mean(argument.text, names));
+  throw InputError(argument.option, "'{}' is not {}; use {}{}", argument.text, kind, list_or(names),
+                   did_you_mean(argument.text, names));
 }
 
 }  // namespace lanescope

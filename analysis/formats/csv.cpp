@@ -26,14 +26,12 @@ struct Place {
 
 std::string line(const Place& place, std::string_view quantity, const Figure& figure,
                  std::string_view words) {
-  const auto difference = figure.ours && figure.thesis
-                              ? std::optional(*figure.ours - *figure.thesis)
-                              : std::nullopt;
+  const auto difference =
+      figure.ours && figure.thesis ? std::optional(*figure.ours - *figure.thesis) : std::nullopt;
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", field(place.table.name),
                      field(place.table.caption), field(place.group), field(place.row),
-                     field(place.column), field(quantity),
-                     words.empty() ? figure.unit->name : "", number(figure.ours),
-                     number(figure.thesis), number(difference), field(words));
+                     field(place.column), field(quantity), words.empty() ? figure.unit->name : "",
+                     number(figure.ours), number(figure.thesis), number(difference), field(words));
 }
 
 std::string cell_lines(const Place& place, const Cell& cell) {
@@ -55,8 +53,7 @@ std::string table_lines(const TableData& data) {
 }
 
 std::string write(const std::vector<TableData>& tables) {
-  std::string text =
-      "table,scenes,group,row,column,quantity,unit,ours,thesis,difference,words\n";
+  std::string text = "table,scenes,group,row,column,quantity,unit,ours,thesis,difference,words\n";
   for (const TableData& data : tables) text += table_lines(data);
   return text;
 }

@@ -36,8 +36,8 @@ std::string write_table(const TableData& data) {
     alignment += column.words ? 'l' : 'r';
     headers.push_back(column.header);
   }
-  std::string text = fmt::format("% {}\n\\begin{{tabular}}{{{}}}\n\\hline\n", full_title(data),
-                                 alignment);
+  std::string text = fmt::format("% {}\n% Of: {}\n\\begin{{tabular}}{{{}}}\n\\hline\n", data.title,
+                                 data.caption, alignment);
   text += line(data.row_header, headers) + "\\hline\n";
   for (const WordGrid::Line& row : grid.lines)
     text += row.heading ? fmt::format("\\multicolumn{{{}}}{{l}}{{\\textit{{{}}}}} \\\\\n",

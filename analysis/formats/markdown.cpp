@@ -33,8 +33,9 @@ std::string write_table(const TableData& data) {
     headers.push_back(column.header);
     rule += column.words ? " --- |" : " ---: |";
   }
-  std::string text = fmt::format("### {}\n\n{}{}\n", escaped(full_title(data)),
-                                 line(escaped(data.row_header), headers, columns), rule);
+  std::string text =
+      fmt::format("### {}\n\nOf: {}\n\n{}{}\n", escaped(data.title), escaped(data.caption),
+                  line(escaped(data.row_header), headers, columns), rule);
   for (const WordGrid::Line& row : grid.lines) {
     const std::string label = escaped(row.label);
     text += line(row.heading ? fmt::format("**{}**", label) : label, row.cells, columns);

@@ -47,14 +47,16 @@ std::string wrapped(std::string_view text) {
 class TextTable {
  public:
   explicit TextTable(const TableData& data)
-      : data_(data), grid_(word_grid(data)), widths_(column_widths(grid_)),
+      : data_(data),
+        grid_(word_grid(data)),
+        widths_(column_widths(grid_)),
         label_width_(label_width(data, grid_)) {}
 
   std::string write() const {
     std::vector<std::string> headers;
     for (const WordGrid::Column& column : grid_.columns) headers.push_back(column.header);
     const std::string header = line(data_.row_header, headers);
-    std::string text = full_title(data_) + "\n\n" + header;
+    std::string text = fmt::format("{}\nOf: {}\n\n{}", data_.title, data_.caption, header);
     text += std::string(header.size() - 1, '-') + '\n';
     for (const WordGrid::Line& row : grid_.lines)
       text += row.heading ? row.label + '\n' : line(row.label, row.cells);

@@ -15,9 +15,7 @@ namespace {
 
 using OverWidth = std::function<std::optional<double>(int width)>;
 
-Cell verdict(std::optional<bool> holds) {
-  return {{}, {}, !holds ? "n/a" : *holds ? "yes" : "no"};
-}
+Cell verdict(std::optional<bool> holds) { return {{}, {}, !holds ? "n/a" : *holds ? "yes" : "no"}; }
 
 /// The claim is a number: it holds if ours is within `tolerance` of it, as a share of it.
 Row near_row(const std::string& label, const Figure& figure, double tolerance) {
@@ -90,11 +88,10 @@ std::optional<double> implied_test_and_load(int width) {
 void add_test_and_load(TableData& data, const ReportView& view) {
   data.rows.push_back({"REPACK's Test and Test Stream-load together (4.1.2)", {}});
   for (const int width : view.widths(kRepackTriangle))
-    data.rows.push_back(near_row(
-        fmt::format("As table 4.2 implies, W = {}", width),
-        {test_and_load_utilization(view, kRepackTriangle, width), implied_test_and_load(width),
-         &kPercent},
-        0.05));
+    data.rows.push_back(near_row(fmt::format("As table 4.2 implies, W = {}", width),
+                                 {test_and_load_utilization(view, kRepackTriangle, width),
+                                  implied_test_and_load(width), &kPercent},
+                                 0.05));
   data.rows.push_back(near_row(
       fmt::format("As the text says, W = {}", kClaimWidth),
       {test_and_load_utilization(view, kRepackTriangle, kClaimWidth),
@@ -104,23 +101,24 @@ void add_test_and_load(TableData& data, const ReportView& view) {
 
 void add_quads(TableData& data, const ReportView& view) {
   data.rows.push_back({"Quads against triangles (4.2)", {}});
-  data.rows.push_back(near_row("STE, quads / triangles",
-                               {quotient(sample_test_efficiency(view, Micropolygon::kQuad),
-                                         sample_test_efficiency(view, Micropolygon::kTriangle)),
-                                thesis_value({"text_claims", "quads_ste_over_triangles"}), &kFactor},
-                               0.15));
+  data.rows.push_back(
+      near_row("STE, quads / triangles",
+               {quotient(sample_test_efficiency(view, Micropolygon::kQuad),
+                         sample_test_efficiency(view, Micropolygon::kTriangle)),
+                thesis_value({"text_claims", "quads_ste_over_triangles"}), &kFactor},
+               0.15));
   for (const std::string_view kernel : {"lockstep", "repack"})
     data.rows.push_back(
         near_row(fmt::format("Instructions saved, {}", kernel),
                  {saved_by_quads(view, kernel, kClaimWidth),
                   thesis_value({"text_claims", "quads_total_operations_saved"}), &kPercent},
                  0.25));
-  data.rows.push_back(near_row("Instructions/mp, quads / triangles",
-                               {quotient(instructions(view, kLockstepQuad, kClaimWidth),
-                                         instructions(view, kLockstepTriangle, kClaimWidth)),
-                                thesis_value({"text_claims", "quad_over_triangle_ops_per_mp"}),
-                                &kFactor},
-                               0.10));
+  data.rows.push_back(
+      near_row("Instructions/mp, quads / triangles",
+               {quotient(instructions(view, kLockstepQuad, kClaimWidth),
+                         instructions(view, kLockstepTriangle, kClaimWidth)),
+                thesis_value({"text_claims", "quad_over_triangle_ops_per_mp"}), &kFactor},
+               0.10));
 }
 
 void add_working_set(TableData& data, const ReportView& view) {
@@ -130,7 +128,8 @@ void add_working_set(TableData& data, const ReportView& view) {
   };
   data.rows.push_back(near_row(
       "Average",
-      {average_working_set(view, kRepackTriangle, kClaimWidth), thesis("average"), &kWidths}, 0.10));
+      {average_working_set(view, kRepackTriangle, kClaimWidth), thesis("average"), &kWidths},
+      0.10));
   std::optional<double> largest;
   for (const int width : view.widths(kRepackTriangle))
     if (const auto one = largest_working_set(view, kRepackTriangle, width))
@@ -156,11 +155,11 @@ void add_rate(TableData& data, const ReportView& view) {
   const auto thesis =
       thesis_value({"text_claims", "larrabee_units_at_60fps", "vector_ops_per_second"});
   for (const bool before_culling : {false, true})
-    data.rows.push_back(near_row(
-        before_culling ? "Instructions, mp before culling" : "Instructions, mp rasterized",
-        {instructions_per_second(view, Micropolygon::kTriangle, before_culling), thesis,
-         &kBillions},
-        0.15));
+    data.rows.push_back(
+        near_row(before_culling ? "Instructions, mp before culling" : "Instructions, mp rasterized",
+                 {instructions_per_second(view, Micropolygon::kTriangle, before_culling), thesis,
+                  &kBillions},
+                 0.15));
 }
 
 TableData build(const ReportView& view) {

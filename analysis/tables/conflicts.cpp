@@ -13,12 +13,11 @@ using Conflicts = std::optional<double> (*)(const ReportView&, const Series&, in
 void add_block(TableData& data, const ReportView& view, const std::string& heading,
                Conflicts conflicts) {
   data.rows.push_back({heading, {}});
-  for (const Series& series :
-       {kLockstepTriangle, kLockstepQuad, kRepackTriangle, kRepackQuad}) {
+  for (const Series& series : {kLockstepTriangle, kLockstepQuad, kRepackTriangle, kRepackQuad}) {
     Row row{fmt::format("{}, {}s", series.kernel, to_string(series.shape)), {}};
     for (const int width : view.widths(kLockstepTriangle)) {
-      const auto thesis = width == 64 ? thesis_value({"text_claims", "conflict_rate_max_at_w64"})
-                                      : std::nullopt;
+      const auto thesis =
+          width == 64 ? thesis_value({"text_claims", "conflict_rate_max_at_w64"}) : std::nullopt;
       row.cells.push_back({Figure{conflicts(view, series, width), thesis, &kSmallPercent}, {}, {}});
     }
     data.rows.push_back(std::move(row));
@@ -35,14 +34,15 @@ TableData build(const ReportView& view) {
             conflicting_invocations);
   add_block(data, view, "Of all hits, those on a sample that an earlier lane of the invocation hit",
             conflicting_hits);
-  data.notes = {"The thesis says that conflicts occur less than 1% of the times at W = 64, and not "
-                "of what."};
+  data.notes = {
+      "The thesis says that conflicts occur less than 1% of the times at W = 64, and not "
+      "of what."};
   return data;
 }
 
 }  // namespace
 
-extern const Table t_conflicts{"conflicts", "lanes that hit one sample at once, by two denominators",
-                               build};
+extern const Table t_conflicts{"conflicts",
+                               "lanes that hit one sample at once, by two denominators", build};
 
 }  // namespace lanescope

@@ -51,11 +51,11 @@ Row deviation_row(const std::string& label, const Deviation& deviation) {
   };
   const auto largest =
       deviation.cells > 0 ? std::optional(std::abs(deviation.largest)) : std::nullopt;
-  return {label,
-          {Cell{Figure{deviation.cells, {}, &kCount}, {}, {}}, points(largest),
-           points(deviation.root_mean_square(deviation.rounded_squares)),
-           points(deviation.root_mean_square(deviation.exact_squares)),
-           Cell{{}, {}, deviation.where}}};
+  return {
+      label,
+      {Cell{Figure{deviation.cells, {}, &kCount}, {}, {}}, points(largest),
+       points(deviation.root_mean_square(deviation.rounded_squares)),
+       points(deviation.root_mean_square(deviation.exact_squares)), Cell{{}, {}, deviation.where}}};
 }
 
 TableData build(const ReportView& view) {
@@ -67,20 +67,23 @@ TableData build(const ReportView& view) {
   for (const UtilizationTable& table : utilization_tables()) {
     Deviation alone;
     add_table(alone, view, table, false);
-    add_table(table.series.shape == Micropolygon::kTriangle ? triangles : quads, view, table, false);
+    add_table(table.series.shape == Micropolygon::kTriangle ? triangles : quads, view, table,
+              false);
     add_table(overall, view, table, true);
     data.rows.push_back(deviation_row(fmt::format("Stages of {}", table.number), alone));
   }
   data.rows.push_back(deviation_row("Stages, triangles", triangles));
   data.rows.push_back(deviation_row("Stages, quads", quads));
   data.rows.push_back(deviation_row("Overall, all four", overall));
-  data.notes = {"Both numbers are rounded to whole percents first, as the thesis rounds, unless said "
-                "otherwise."};
+  data.notes = {
+      "Both numbers are rounded to whole percents first, as the thesis rounds, unless said "
+      "otherwise."};
   return data;
 }
 
 }  // namespace
 
-extern const Table t_deviation{"deviation", "how far utilization is from the thesis's tables", build};
+extern const Table t_deviation{"deviation", "how far utilization is from the thesis's tables",
+                               build};
 
 }  // namespace lanescope

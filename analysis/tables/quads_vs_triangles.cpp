@@ -51,8 +51,9 @@ void add_ratio(TableData& data, const ReportView& view) {
   for (const int width : view.widths(kLockstepTriangle)) {
     const auto ratio = quotient(instructions(view, kLockstepQuad, width),
                                 instructions(view, kLockstepTriangle, width));
-    const auto thesis = quotient(thesis_value({"table_4_6", "quad", "ops_per_mp", "Total"}, width),
-                                 thesis_value({"table_4_6", "triangle", "ops_per_mp", "Total"}, width));
+    const auto thesis =
+        quotient(thesis_value({"table_4_6", "quad", "ops_per_mp", "Total"}, width),
+                 thesis_value({"table_4_6", "triangle", "ops_per_mp", "Total"}, width));
     row.cells.push_back({Figure{ratio, thesis, &kFactor}, {}, {}});
   }
   data.rows.push_back(std::move(row));
@@ -67,7 +68,8 @@ TableData build(const ReportView& view) {
   add_block(data, view, kLockstepTriangle, "Triangles");
   add_block(data, view, kLockstepQuad, "Quads");
   add_ratio(data, view);
-  data.notes = {"Setup is left out, as in the thesis. Micropolygons are those rasterized in a scene."};
+  data.notes = {
+      "Setup is left out, as in the thesis. Micropolygons are those rasterized in a scene."};
   return data;
 }
 

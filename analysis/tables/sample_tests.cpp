@@ -14,8 +14,8 @@ std::optional<double> as_double(std::optional<std::uint64_t> count) {
 }
 
 /// A cell for each scene, and one for their mean if there are several.
-Row scene_row(const ReportView& view, std::string label, Micropolygon shape, const RunFigure& figure,
-              const Unit& unit, std::optional<double> thesis) {
+Row scene_row(const ReportView& view, std::string label, Micropolygon shape,
+              const RunFigure& figure, const Unit& unit, std::optional<double> thesis) {
   Row row{std::move(label), {}};
   for (const std::string& scene : view.scenes()) {
     const RunRecord* run = view.find_any(scene, shape);
@@ -43,7 +43,8 @@ std::optional<double> covered(const RunRecord& run) {
   return Ratio{run.samples_covered, samples}.value();
 }
 
-void add_shape(TableData& data, const ReportView& view, Micropolygon shape, const std::string& plural) {
+void add_shape(TableData& data, const ReportView& view, Micropolygon shape,
+               const std::string& plural) {
   const auto thesis = [&](std::string_view name) {
     return thesis_value({"table_4_6", to_string(shape), name});
   };
@@ -57,7 +58,8 @@ void add_shape(TableData& data, const ReportView& view, Micropolygon shape, cons
   data.rows.push_back({plural, {}});
   add("STE", ratio("hits", "tests"), kPercent, thesis("ste"));
   add("Tests/mp", ratio("tests", "micropolygons_rasterized"), kPoints);
-  add("Rasterized",
+  add(
+      "Rasterized",
       [](const RunRecord& run) { return as_double(run.counter("micropolygons_rasterized")); },
       kMillions, thesis("micropolygons"));
   add("Facing away", ratio("micropolygons_culled", "micropolygons_seen"), kPercent);
@@ -73,7 +75,8 @@ TableData build(const ReportView& view) {
   if (view.scenes().size() > 1) data.columns.push_back("Mean");
   add_shape(data, view, Micropolygon::kTriangle, "Triangles");
   add_shape(data, view, Micropolygon::kQuad, "Quads");
-  data.notes = {"STE, sample test efficiency, is hits / tests. No kernel or width changes these figures."};
+  data.notes = {
+      "STE, sample test efficiency, is hits / tests. No kernel or width changes these figures."};
   return data;
 }
 

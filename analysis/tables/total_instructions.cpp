@@ -33,7 +33,8 @@ Row scene_row(const ReportView& view, const std::string& scene, const Series& se
   Row row{fmt::format("{}, {}s", scene, to_string(series.shape)), {}};
   const auto add = [&](std::string_view stage) {
     const auto issued = count(run, stage);
-    row.cells.push_back({Figure{issued, {}, &kMillions}, Figure{quotient(issued, whole), {}, &kShare}, {}});
+    row.cells.push_back(
+        {Figure{issued, {}, &kMillions}, Figure{quotient(issued, whole), {}, &kShare}, {}});
   };
   for (const std::string_view stage : kStages) add(stage);
   add("");
@@ -44,13 +45,15 @@ TableData build(const ReportView& view) {
   const int width = shown_width(view);
   TableData data;
   data.title = fmt::format("Figure 4.2: LOCKSTEP, W = {}: instructions of each scene", width);
+  data.caption = "each scene by itself";
   data.row_header = "Scene";
   data.columns = {"Bound", "Test", "Process", "Total"};
   for (const std::string& scene : view.scenes())
     for (const Series& series : {kLockstepTriangle, kLockstepQuad})
       data.rows.push_back(scene_row(view, scene, series, width));
-  data.notes = {"In parentheses: relative to all instructions of the scene's triangles. The thesis "
-                "plots these figures without giving them."};
+  data.notes = {
+      "In parentheses: relative to all instructions of the scene's triangles. The thesis "
+      "plots these figures without giving them."};
   return data;
 }
 

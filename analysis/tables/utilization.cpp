@@ -44,10 +44,12 @@ void add_rows_with_setup(TableData& data, const ReportView& view, const Series& 
   const std::vector<int> widths = view.widths(series);
   data.rows.push_back(setup_row(view, series));
   data.rows.push_back(row_over("Overall *", widths, [&](int width) {
-    return Cell{Figure{overall_utilization(view, series, width, Stages::kAll), {}, &kPercent}, {}, {}};
+    return Cell{
+        Figure{overall_utilization(view, series, width, Stages::kAll), {}, &kPercent}, {}, {}};
   }));
   data.rows.push_back(row_over("Instructions/mp *", widths, [&](int width) {
-    return Cell{Figure{instructions(view, series, width, Stages::kAll), {}, &kInstructions}, {}, {}};
+    return Cell{
+        Figure{instructions(view, series, width, Stages::kAll), {}, &kInstructions}, {}, {}};
   }));
 }
 

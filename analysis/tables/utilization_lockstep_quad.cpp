@@ -10,6 +10,7 @@ TableData build(const ReportView& view) {
 
 }  // namespace
 
-extern const Table t_utilization_lockstep_quad{"utilization_lockstep_quad", "table 4.4: utilization of LOCKSTEP by stage, quads", build};
+extern const Table t_utilization_lockstep_quad{
+    "utilization_lockstep_quad", "table 4.4: utilization of LOCKSTEP by stage, quads", build};
 
 }  // namespace lanescope

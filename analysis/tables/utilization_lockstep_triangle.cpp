@@ -10,6 +10,8 @@ TableData build(const ReportView& view) {
 
 }  // namespace
 
-extern const Table t_utilization_lockstep_triangle{"utilization_lockstep_triangle", "table 4.1: utilization of LOCKSTEP by stage, triangles", build};
+extern const Table t_utilization_lockstep_triangle{
+    "utilization_lockstep_triangle", "table 4.1: utilization of LOCKSTEP by stage, triangles",
+    build};
 
 }  // namespace lanescope

@@ -10,6 +10,7 @@ TableData build(const ReportView& view) {
 
 }  // namespace
 
-extern const Table t_utilization_repack_quad{"utilization_repack_quad", "table 4.5: utilization of REPACK by stage, quads", build};
+extern const Table t_utilization_repack_quad{
+    "utilization_repack_quad", "table 4.5: utilization of REPACK by stage, quads", build};
 
 }  // namespace lanescope

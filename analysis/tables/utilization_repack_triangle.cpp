@@ -10,6 +10,7 @@ TableData build(const ReportView& view) {
 
 }  // namespace
 
-extern const Table t_utilization_repack_triangle{"utilization_repack_triangle", "table 4.2: utilization of REPACK by stage, triangles", build};
+extern const Table t_utilization_repack_triangle{
+    "utilization_repack_triangle", "table 4.2: utilization of REPACK by stage, triangles", build};
 
 }  // namespace lanescope

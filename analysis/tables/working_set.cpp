@@ -14,8 +14,7 @@ Row working_set_row(const ReportView& view, const std::string& label, const Seri
                     WorkingSet working_set, std::string_view thesis_name) {
   Row row{label, {}};
   for (const int width : view.widths(kRepackTriangle)) {
-    const auto thesis =
-        thesis_value({"text_claims", "repack_working_set_over_width", thesis_name});
+    const auto thesis = thesis_value({"text_claims", "repack_working_set_over_width", thesis_name});
     row.cells.push_back({Figure{working_set(view, series, width), thesis, &kWidths}, {}, {}});
   }
   return row;
@@ -34,8 +33,9 @@ TableData build(const ReportView& view) {
     data.rows.push_back(
         working_set_row(view, "Maximum, " + plural, series, largest_working_set, "maximum"));
   }
-  data.notes = {"Micropolygons whose vertices REPACK still has to keep, observed as the kernel "
-                "defines it. The maximum is over all scenes."};
+  data.notes = {
+      "Micropolygons whose vertices REPACK still has to keep, observed as the kernel "
+      "defines it. The maximum is over all scenes."};
   return data;
 }
 

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "tests/analysis/sample_report.h"
+
+namespace lanescope::testing {
+namespace {
+
+constexpr int kWidth = 8;
+
+void add_counters(RunRecord& run, std::uint64_t rasterized) {
+  run.counters = {
+      {"micropolygons_seen", "micropolygons in the packets", "micropolygons", 2 * rasterized},
+      {"micropolygons_culled", "facing away", "micropolygons", rasterized},
+      {"micropolygons_rasterized", "the others", "micropolygons", rasterized},
+      {"tests", "samples tested", "tests", 10 * rasterized},
+      {"hits", "samples hit", "hits", 2 * rasterized},
+      {"process_issued", "invocations of Process", "invocations", 50},
+      {"conflict_invocations", "those with a conflict", "invocations", 2},
+      {"conflict_hits", "hits that conflict", "hits", 1}};
+  run.metrics = {{"ste", "sample test efficiency", "hits", "tests"}};
+}
+
+std::vector<SampleStage> quads(std::vector<SampleStage> stages) {
+  for (SampleStage& stage : stages) {
+    stage.issued = stage.issued * 8 / 10;
+    stage.active = stage.active * 8 / 10;
+    stage.overhead_issued = stage.overhead_issued * 8 / 10;
+  }
+  return stages;
+}
+
+RunRecord quad_run(const std::string& kernel, const std::string& scene,
+                   const std::vector<SampleStage>& stages, std::uint64_t rasterized) {
+  RunRecord run = sample_run(kernel, scene, Micropolygon::kQuad, quads(stages), rasterized / 2);
+  for (CounterRecord& counter : run.counters)
+    if (counter.name == "hits") counter.value = 3 * rasterized / 2;
+  return run;
+}
+
+void add_scene(Report& report, const std::string& scene, const std::vector<SampleStage>& lockstep,
+               const std::vector<SampleStage>& repack, std::uint64_t rasterized) {
+  report.runs.push_back(
+      sample_run("lockstep", scene, Micropolygon::kTriangle, lockstep, rasterized));
+  report.runs.push_back(sample_run("repack", scene, Micropolygon::kTriangle, repack, rasterized));
+  report.runs.push_back(quad_run("lockstep", scene, lockstep, rasterized));
+  report.runs.push_back(quad_run("repack", scene, repack, rasterized));
+}
+
+}  // namespace
+
+RunRecord sample_run(const std::string& kernel, const std::string& scene, Micropolygon shape,
+                     const std::vector<SampleStage>& stages, std::uint64_t rasterized) {
+  RunRecord run;
+  run.configuration.kernel = kernel;
+  run.configuration.scene = scene;
+  run.configuration.width = kWidth;
+  run.configuration.options.shape = shape;
+  run.thesis_like = true;
+  for (const SampleStage& stage : stages)
+    run.stages.push_back(
+        {stage.name,
+         {{"add", stage.issued, stage.active, stage.overhead_issued, stage.overhead_issued}},
+         std::vector<std::uint64_t>(kWidth, stage.active / kWidth),
+         std::vector<std::uint64_t>(kWidth + 1, 1)});
+  add_counters(run, rasterized);
+  if (kernel == "repack") {
+    run.counters.push_back({"working_set_sum", "micropolygons alive", "micropolygons", 280});
+    run.counters.push_back({"working_set_observations", "observations", "observations", 10});
+    run.counters.push_back({"working_set_maximum", "most alive", "micropolygons", 32});
+  }
+  run.scene_hash = 0x0123456789abcdef;
+  run.hits_hash = 0xffffffffffffffff;
+  run.samples_covered = 10;
+  return run;
+}
+
+Report sample_report() {
+  Report report;
+  report.program_version = "0.1.0";
+  report.command = "lanescope tables";
+  report.instructions = {{"add", "r[i] = a[i] + b[i]", "arithmetic", "active_lanes"}};
+  add_scene(report, "first",
+            {{"Setup", 2, 16}, {"Bound", 10, 72}, {"Test", 60, 360}, {"Process", 30, 60}},
+            {{"Setup", 2, 16},
+             {"Bound", 10, 72, 2},
+             {"Test Stream-load", 20, 32, 20},
+             {"Test", 60, 456, 15},
+             {"Process", 10, 80, 4}},
+            20);
+  add_scene(report, "second",
+            {{"Setup", 3, 12}, {"Bound", 20, 128}, {"Test", 60, 240}, {"Process", 20, 80}},
+            {{"Setup", 3, 12},
+             {"Bound", 20, 128, 2},
+             {"Test Stream-load", 10, 16, 10},
+             {"Test", 40, 320, 10},
+             {"Process", 10, 40, 2}},
+            10);
+  add_scene(report, "third", {{"Setup", 1, 8}, {"Bound", 10, 80}, {"Test", 10, 80}},
+            {{"Setup", 1, 8}, {"Bound", 10, 80}, {"Test", 10, 80}}, 10);
+  for (RunRecord& run : report.runs) run.thesis_like = run.configuration.scene != "third";
+  report.timing = {12.5, 2, "a processor", "a compiler",
+                   std::vector<double>(report.runs.size(), 0.25)};
+  return report;
+}
+
+}  // namespace lanescope::testing

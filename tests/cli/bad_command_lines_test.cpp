@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Mistakes on the command line end the program with status 2 and one line that says where, what was
+// found and what would be right, before any work is done.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.h"
+
+namespace lanescope {
+namespace {
+
+using testing::lanescope_program;
+using testing::Outcome;
+
+struct BadLine {
+  std::string arguments;
+  std::string complaint;
+};
+
+class BadCommandLines : public ::testing::TestWithParam<BadLine> {};
+
+TEST_P(BadCommandLines, EndWithStatus2AndOneLine) {
+  const Outcome outcome = lanescope_program(GetParam().arguments);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.errors, "lanescope: " + GetParam().complaint + "\n");
+  EXPECT_EQ(outcome.output, "");
+}
+
+const std::string kScenes = "ballroll, columnpivot, tigerjump, talking or teapot";
+const std::string kTables =
+    "utilization_lockstep_triangle, utilization_repack_triangle, overhead, "
+    "utilization_lockstep_quad, utilization_repack_quad, quads_vs_triangles, total_instructions, "
+    "sample_tests, working_set, conflicts, claims or deviation";
+
+const std::vector<BadLine> kBadLines{
+    // Commands and their arguments.
+    {"", "command: none given; use run, tables, list or render"},
+    {"rnu",
+     "command: 'rnu' is not a command; use run, tables, list or render; did you mean 'run'?"},
+    {"zzzzzz", "command: 'zzzzzz' is not a command; use run, tables, list or render"},
+    {"--versoin", "--versoin: is not an option of lanescope; did you mean '--version'?"},
+    {"run teapot", "run: unexpected argument 'teapot'"},
+    {"run --widht 8", "--widht: is not an option of run; did you mean '--width'?"},
+    {"run --widht=8", "--widht: is not an option of run; did you mean '--width'?"},
+    {"run -q", "-q: is not an option of run"},
+    {"run --width", "--width: needs a value"},
+    {"run --width 8 --width 16", "--width: is given twice"},
+    {"run --width ''", "--width: has an empty value"},
+    {"run --scene ''", "--scene: has an empty value"},
+    {"list", "list: of what? Use kernels, scenes, instructions or tables"},
+    {"list kernel",
+     "list: 'kernel' is not a list; use kernels, scenes, instructions or tables; did you mean "
+     "'kernels'?"},
+    {"list kernels scenes", "list: unexpected argument 'scenes'"},
+    // Kernels.
+    {"run --kernel repak",
+     "--kernel: 'repak' is not a kernel; use rastmp, lockstep or repack; did you mean 'repack'?"},
+    {"run --kernel lockstep,,repack",
+     "--kernel: 'lockstep,,repack' has an empty element; separate values by single commas"},
+    {"run --kernel repack,repack", "--kernel: 'repack,repack' has 'repack' twice"},
+    {"run --kernel rastmp --width 3", "--width: '3' is not a width of rastmp; use 1"},
+    {"run --micropolygon hexagon", "--micropolygon: 'hexagon' is not triangle or quad"},
+    {"run --micropolygon triangel",
+     "--micropolygon: 'triangel' is not triangle or quad; did you mean 'triangle'?"},
+    {"run --edges never", "--edges: 'never' is not inline or precomputed"},
+    {"run --edges precompute",
+     "--edges: 'precompute' is not inline or precomputed; did you mean 'precomputed'?"},
+    {"run --stream-load-threshold 1.5",
+     "--stream-load-threshold: '1.5' is not a number from 0 to 1"},
+    {"run --stream-load-threshold nan",
+     "--stream-load-threshold: 'nan' is not a number from 0 to 1"},
+    {"run --stream-load-threshold 50%",
+     "--stream-load-threshold: '50%' is not a number from 0 to 1"},
+    {"run --cull yes", "--cull: 'yes' is not on or off"},
+    {"run --mode trace", "--mode: 'trace' is not counting, checked or uncounted"},
+    {"run --mode check",
+     "--mode: 'check' is not counting, checked or uncounted; did you mean 'checked'?"},
+    // Scenes.
+    {"run --scene teapto",
+     "--scene: 'teapto' is not a scene; use " + kScenes + "; did you mean 'teapot'?"},
+    {"run --scene teapot,teapot", "--scene: 'teapot,teapot' has 'teapot' twice"},
+    {"run --scene teapot,all", "--scene: 'all' stands for several scenes; use it alone"},
+    {"run --scene thesis,teapot", "--scene: 'thesis' stands for several scenes; use it alone"},
+    {"run --frame 48 --scene ballroll", "--frame: 48 is not a frame of ballroll; use 0 to 47"},
+    {"run --frame -1", "--frame: '-1' is not an integer from 0 to 1048576"},
+    {"run --turn 400", "--turn: '400' is not a number from -360 to 360"},
+    {"run --turn 1e99", "--turn: '1e99' is not a number from -360 to 360"},
+    {"run --mesh a.obj --scene teapot", "--mesh excludes --scene"},
+    {"run --mesh a.obj --frame 3", "--frame: a mesh has no frames; leave it out"},
+    {"run --mesh a.obj --patches flat", "--patches: 'flat' is not linear, pn or phong"},
+    {"run --patches pn", "--patches requires --mesh"},
+    {"run --mesh /nonexistent/a.obj", "/nonexistent/a.obj: cannot be opened"},
+    // Tessellation and sampling.
+    {"run --resolution 100", "--resolution: '100' is not of the form WIDTHxHEIGHT, as 1728x1080"},
+    {"run --resolution 100x", "--resolution: '' is not an integer from 1 to 16384"},
+    {"run --resolution 0x60", "--resolution: '0' is not an integer from 1 to 16384"},
+    {"run --resolution 99999x60", "--resolution: '99999' is not an integer from 1 to 16384"},
+    {"run --resolution 96x60x3", "--resolution: '60x3' is not an integer from 1 to 16384"},
+    {"run --resolution 16000x16000",
+     "--resolution: 16000x16000 is outside 1x1 to 8192x8192 at 4 samples a pixel"},
+    {"run --dice-area 0", "--dice-area: '0' is not a number from 0.01 to 10000"},
+    {"run --dice-area 1px", "--dice-area: '1px' is not a number from 0.01 to 10000"},
+    {"run --grid 129", "--grid: '129' is not an integer from 1 to 128"},
+    {"run --grid 8.5", "--grid: '8.5' is not an integer from 1 to 128"},
+    {"run --drain 0", "--drain: '0' is not an integer from 1 to 1048576"},
+    {"run --msaa 5", "--msaa: '5' is not a number of samples a pixel; use 1, 4, 9, 16 or 64"},
+    {"run --jitter true", "--jitter: 'true' is not on or off"},
+    {"run --seed -1", "--seed: '-1' is not an integer from 0 to 2^64 - 1"},
+    {"run --seed 18446744073709551616",
+     "--seed: '18446744073709551616' is not an integer from 0 to 2^64 - 1"},
+    {"run --seed ' 1'", "--seed: ' 1' is not an integer from 0 to 2^64 - 1"},
+    // Output.
+    {"run --threads 0", "--threads: '0' is not an integer from 1 to 256"},
+    {"run --threads two", "--threads: 'two' is not an integer from 1 to 256"},
+    {"run --json /nonexistent/r.json",
+     "/nonexistent/r.json: cannot be written: No such file or directory"},
+    {"run --json /", "/: is not the name of a file"},
+    {"render --scene teapot", "--output: is missing; name a PNG file"},
+    {"render -o /nonexistent/a.png",
+     "/nonexistent/a.png: cannot be written: No such file or directory"},
+    {"render -o a.png --micropolygon triangle,quad",
+     "render: draws one picture; give one scene, kernel, width and micropolygon"},
+    {"tables --format pdf",
+     "--format: 'pdf' is not a format; use text, markdown, csv, latex or json"},
+    {"tables --format markdow",
+     "--format: 'markdow' is not a format; use text, markdown, csv, latex or json; did you mean "
+     "'markdown'?"},
+    {"tables --table overhaed",
+     "--table: 'overhaed' is not a table; use " + kTables + "; did you mean 'overhead'?"},
+    {"tables --per-scene=maybe", "--per-scene: takes no value"},
+    {"tables --format json --per-scene",
+     "--format: json holds all tables of the mean; leave out --table and --per-scene"},
+    {"tables --format json --table claims",
+     "--format: json holds all tables of the mean; leave out --table and --per-scene"},
+    {"tables --kernel repack", "--kernel: is not an option of tables"},
+    {"tables --from /nonexistent/r.json",
+     "/nonexistent/r.json: cannot be read: No such file or directory"},
+    {"tables --from / ", "/: is a directory; a file is needed"},
+    {"tables --from r.json --scene teapot", "--scene excludes --from"},
+    {"tables --from r.json --msaa 16", "--msaa excludes --from"},
+    {"tables --out /dev/null/x", "/dev/null/x: cannot be created as a directory: Not a directory"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Lines, BadCommandLines, ::testing::ValuesIn(kBadLines),
+                         [](const auto& info) { return fmt::format("{}", info.index); });
+
+}  // namespace
+}  // namespace lanescope

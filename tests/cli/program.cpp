@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "tests/cli/program.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "analysis/files.h"
+
+namespace lanescope::testing {
+
+Outcome lanescope_program(const std::string& arguments, const std::string& directory) {
+  const std::string stem = fmt::format("{}lanescope-program-{}", ::testing::TempDir(), ::getpid());
+  const std::string command = fmt::format("cd '{}' && '{}' {} >'{}.out' 2>'{}.err' </dev/null",
+                                          directory, LANESCOPE_BINARY, arguments, stem, stem);
+  const int ended = std::system(command.c_str());
+  Outcome outcome{WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended),
+                  read_file(stem + ".out"), read_file(stem + ".err")};
+  std::filesystem::remove(stem + ".out");
+  std::filesystem::remove(stem + ".err");
+  return outcome;
+}
+
+}  // namespace lanescope::testing
