@@ -27,7 +27,7 @@ struct TessellationOptions {
   /// A grid has at most grid_limit x grid_limit quads.
   int grid_limit = 16;
   /// Micropolygons in a packet; kernels drain at its end (the `--drain` option).
-  int packet_capacity = 1920;
+  int packet_capacity = 2880;
   /// How far the outer vertices of each grid are moved outward, so that neighbouring grids of
   /// different rates leave no cracks.
   float grid_overlap_px = kGridOverlapPx;

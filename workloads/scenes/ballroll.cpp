@@ -29,7 +29,7 @@ struct Sand {
 
   SurfacePoint point(int patch, float u, float v) const {
     return sheet_point(patch, u, v, {0.0f, 1.2f, 0.0f}, [this](float s, float t) {
-      const Vec3 at = turned_y({(s - 0.5f) * 84.0f, 0.0f, (0.5f - t) * 84.0f}, 0.03f);
+      const Vec3 at = turned_y({(s - 0.5f) * 84.0f, 0.0f, (0.5f - t) * 84.0f}, 0.02f);
       const float x = at.x, z = at.z - 16.0f;
       const float grain = fractal_noise({x * 2.6f, 0.0f, z * 2.6f}, 2);
       const float bend = noise({x * 0.35f, 7.0f, z * 0.35f});

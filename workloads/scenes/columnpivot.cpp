@@ -13,7 +13,7 @@ constexpr float kShaftHeight = 6.4f;
 constexpr float kWallZ = -9.0f;
 constexpr Vec3 kMarble{0.74f, 0.68f, 0.58f};
 
-/// A weathered drum-built shaft with twenty flutes.
+/// A weathered drum-built shaft with sixteen flutes.
 struct Shaft {
   Vec3 foot;
   float seed;
@@ -25,7 +25,7 @@ struct Shaft {
     const float around = 0.25f * (static_cast<float>(quarter) + 1.0f - v);
     const float height = u * kShaftHeight;
     const Vec3 out{cos_turns(around), 0.0f, -sin_turns(around)};
-    const float wave = 0.5f - 0.5f * cos_turns(20.0f * around);
+    const float wave = 0.5f - 0.5f * cos_turns(16.0f * around);
     const float flute = smooth_step(0.05f, 0.9f, wave) * smooth_step(0.03f, 0.06f, u);
     const Vec3 grain{out.x * 2.0f, height * 1.4f, out.z * 2.0f + seed};
     const float worn = fractal_noise(grain * 2.2f, 3);
@@ -34,7 +34,7 @@ struct Shaft {
         std::abs(height * (1.0f / 1.6f) - std::floor(height * (1.0f / 1.6f) + 0.5f));
     SurfacePoint p;
     p.relief =
-        -0.045f * flute + 0.010f * worn - 0.035f * chip - 0.02f * hill(joint * joint * 9000.0f);
+        -0.042f * flute + 0.010f * worn - 0.035f * chip - 0.02f * hill(joint * joint * 9000.0f);
     const float taper = 1.0f - 0.13f * u * u;
     p.position = foot + out * (kShaftRadius * taper + p.relief) + Vec3{0.0f, height, 0.0f};
     p.pattern = grain;

@@ -201,7 +201,7 @@ struct Curtain {
 
   SurfacePoint point(int patch, float u, float v) const {
     return sheet_point(patch, u, v, {0.0f, 0.0f, 0.3f}, [](float s, float t) {
-      const Vec3 at = turned_z({(s - 0.5f) * 12.0f, (t - 0.5f) * 12.0f, 0.0f}, 0.04f);
+      const Vec3 at = turned_z({(s - 0.5f) * 12.0f, (t - 0.5f) * 12.0f, 0.0f}, 0.032f);
       const float x = at.x, y = at.y;
       const float sway = noise({x * 0.9f, y * 0.25f, 1.0f});
       const float weave = noise({x * 14.0f, y * 14.0f, 4.0f});

@@ -108,7 +108,7 @@ struct Meadow {
 
   SurfacePoint point(int patch, float u, float v) const {
     return sheet_point(patch, u, v, {0.0f, 1.5f, 0.0f}, [](float s, float t) {
-      const Vec3 at = turned_y({(s - 0.5f) * 64.0f, 0.0f, (0.5f - t) * 64.0f}, 0.04f);
+      const Vec3 at = turned_y({(s - 0.5f) * 64.0f, 0.0f, (0.5f - t) * 64.0f}, 0.035f);
       const float x = at.x, z = at.z - 15.0f;
       const float tufts = noise({x * 1.6f, 0.0f, z * 1.6f});
       const float blades = noise({x * 6.5f, 1.0f, z * 5.0f});
