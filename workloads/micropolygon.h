@@ -20,13 +20,13 @@ constexpr std::string_view to_string(Micropolygon micropolygon) {
   return micropolygon == Micropolygon::kTriangle ? "triangle" : "quad";
 }
 
-/// A vertex is seven floats, 28 bytes (the thesis, 3.2.1): position in pixels with y down (x and y
-/// are multiples of kSubpixel), depth (smaller is nearer, positive), and colour in [0, 1].
+/// A vertex is seven floats, 28 bytes (the thesis, 3.2.1): position in sub-pixel cells with y down
+/// (x and y are multiples of kSubpixel), depth (smaller is nearer, positive), and colour in [0, 1].
 enum class Attribute { kX, kY, kZ, kRed, kGreen, kBlue, kAlpha };
 inline constexpr int kAttributeCount = 7;
 
-/// Vertices lie on a grid of 1/256 of a pixel, as in hardware rasterizers: edge functions of
-/// micropolygons are then exact in single precision, so a shared edge has no rounding.
+/// Vertices lie on a grid of 1/256 of a cell, as in hardware rasterizers: edge functions of
+/// micropolygons up to 16 x 16 cells are then exact in single precision.
 inline constexpr float kSubpixel = 1.0f / 256.0f;
 
 struct Vertex {

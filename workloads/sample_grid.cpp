@@ -25,15 +25,11 @@ SampleGrid::SampleGrid(int width_px, int height_px, int samples_per_pixel, bool 
   if (width_px < 1 || height_px < 1 || width_px > limit_px || height_px > limit_px)
     throw InputError("--resolution", "{}x{} is outside 1x1 to {}x{} at {} samples a pixel",
                      width_px, height_px, limit_px, limit_px, samples_per_pixel);
-  jitter_x_.resize(kJitterPeriod);
-  jitter_y_.resize(kJitterPeriod);
-  const float steps = 1.0f / kSubpixel;
-  for (std::size_t i = 0; i < kJitterPeriod; ++i) {
+  jitter_.reserve(2 * kJitterPeriod);
+  for (std::uint64_t i = 0; i < kJitterPeriod; ++i) {
     const std::uint64_t hash = mix64(mix64(seed) + i);
-    const auto step_x = static_cast<float>(jitter ? hash & 255 : 128);
-    const auto step_y = static_cast<float>(jitter ? (hash >> 8) & 255 : 128);
-    jitter_x_[i] = step_x / steps;
-    jitter_y_[i] = step_y / steps;
+    jitter_.push_back(static_cast<float>(jitter ? hash & 255 : 128) * kSubpixel);
+    jitter_.push_back(static_cast<float>(jitter ? hash >> 8 & 255 : 128) * kSubpixel);
   }
 }
 

@@ -29,16 +29,14 @@ class SampleGrid {
   int height_cells() const { return height_px_ * samples_per_axis_; }
   std::int64_t sample_count() const { return std::int64_t{width_cells()} * height_cells(); }
 
-  /// [kJitterPeriod] offsets of the sample from the corner of its cell, in cells.
-  const float* jitter_x() const { return jitter_x_.data(); }
-  const float* jitter_y() const { return jitter_y_.data(); }
+  /// [kJitterPeriod][2] offsets (x, y) of the sample from the corner of its cell, in cells.
+  const std::vector<float>& jitter() const { return jitter_; }
 
  private:
   int width_px_;
   int height_px_;
   int samples_per_axis_;
-  std::vector<float> jitter_x_;
-  std::vector<float> jitter_y_;
+  std::vector<float> jitter_;
 };
 
 }  // namespace lanescope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The camera pivots in a hall of fluted columns.
+// The camera pivots in a court of fluted columns.
 #include "simulator/base/random.h"
 #include "workloads/scene.h"
 #include "workloads/scenes/parts.h"
@@ -160,7 +160,7 @@ Scene build(int frame) {
 
 extern const SceneDescriptor s_columnpivot = {
     .name = "columnpivot",
-    .summary = "the camera pivots in a hall of weathered, fluted columns",
+    .summary = "the camera pivots in a court of weathered, fluted columns",
     .thesis_like = true,
     .default_frame = 22,
     .frame_count = kFrames,

@@ -70,7 +70,7 @@ struct Curtain {
 
   SurfacePoint point(int patch, float u, float v) const {
     return sheet_point(patch, u, v, {0.0f, 0.0f, 0.4f}, [](float s, float t) {
-      const float x = (s - 0.5f) * 30.0f, y = -5.0f + 16.0f * t;
+      const float x = (s - 0.5f) * 30.0f, y = -1.5f + 11.5f * t;
       const float sway = noise({x * 0.5f, y * 0.16f, 1.0f});
       SurfacePoint p;
       p.relief = 0.30f * sin_turns(x * 0.62f + 0.5f * sway) + 0.22f * sway;
