@@ -21,7 +21,7 @@ constexpr int kMaxSegmentDepth = 10;
 
 // Quads in a segment, about: large enough that a segment's last packet, which is not full, matters
 // little; small enough to keep many threads busy.
-constexpr float kSegmentQuads = 60000.0f;
+constexpr float kSegmentQuads = 80000.0f;
 
 // The quads of a grid differ in size, because of perspective and displacement: grids aim at this
 // share of the target area, so that few quads come out larger than it.
