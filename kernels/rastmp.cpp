@@ -104,7 +104,7 @@ class Rastmp final : public Execution {
     const std::size_t offset = 2 * std::size_t{sample % SampleGrid::kJitterPeriod};
     const float px = static_cast<float>(x) + grid_.jitter()[offset];
     const float py = static_cast<float>(y) + grid_.jitter()[offset + 1];
-    float edges[4];
+    float edges[4] = {};
     for (int k = 0; k < n_; ++k)
       edges[k] = options_.edges == Edges::kInline ? inline_edge(k, px, py)
                                                   : precomputed_edge(k, px, py);

@@ -48,8 +48,8 @@ class Repack {
           stream_load(sites, lanes);
         test(sites, packet, lanes);
       } else if (input_left) {
-        bound_batch(sites, packet, next, Lanes::first_n(size - next));
-        if constexpr (kCounted) observe_working_set(lanes);
+        const bool bounded = bound_batch(sites, packet, next, Lanes::first_n(size - next));
+        if (kCounted && bounded) observe_working_set(lanes);
         next += kWidth;
       } else if (hits_ > 0) {
         process(sites, packet, first_id, hits_);
@@ -102,12 +102,13 @@ class Repack {
     held_.emplace(size);
   }
 
-  /// *Setup* and *Bound* of a batch; survivors are pushed to the queue of *Test*.
-  LANESCOPE_INLINE void bound_batch(Sites& sites, const PacketMemory<P>& packet, int first,
+  /// *Setup* and *Bound* of a batch; survivors are pushed to the queue of *Test*. Returns whether
+  /// any micropolygon was left to bound.
+  LANESCOPE_INLINE bool bound_batch(Sites& sites, const PacketMemory<P>& packet, int first,
                                     Lanes valid) {
     const auto batch = set_up<Vm, P>(sites.setup, packet, first, valid);
     if constexpr (kCounted) count_batch(counts_, batch, valid);
-    if (!batch.any_alive) return;
+    if (!batch.any_alive) return false;
 
     Box<Vm> box;
     Lanes with_candidates;
@@ -132,6 +133,7 @@ class Repack {
     scatter_pair(extra, queue_.micropolygon.memory(), place, micropolygon, box.candidates);
     scatter_pair(extra, queue_.samples.memory(), place, box.first_sample, box.row_step);
     if constexpr (kCounted) count_boxes(counts_, box, batch.alive);
+    return true;
   }
 
   /// *Test Stream-load*: free lanes take boxes from the queue.

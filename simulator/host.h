@@ -286,6 +286,33 @@ LANESCOPE_INLINE V popcount(V a) {
   return map<V>([](auto x) { return decltype(x)(std::popcount(static_cast<std::uint32_t>(x))); }, a);
 }
 
+/// Number of set bits; the compiler's own would narrow the operand and then widen the result.
+LANESCOPE_INLINE int count_bits(std::uint64_t bits) {
+#ifdef __SSE4_2__
+  return static_cast<int>(_mm_popcnt_u64(bits));
+#else
+  return std::popcount(bits);
+#endif
+}
+
+/// The bits of two chunks of 16 lanes as one word.
+LANESCOPE_INLINE std::uint32_t join_chunks(ChunkBits low, ChunkBits high) {
+#ifdef LANESCOPE_AVX512
+  return _mm512_kunpackw(high, low);
+#else
+  return low | std::uint32_t{high} << 16;
+#endif
+}
+
+/// Two words of 32 lanes as one.
+LANESCOPE_INLINE std::uint64_t join_halves(std::uint32_t low, std::uint32_t high) {
+#ifdef LANESCOPE_AVX512
+  return _mm512_kunpackd(high, low);
+#else
+  return low | std::uint64_t{high} << 32;
+#endif
+}
+
 /// -1 in the lanes of `bits`, 0 elsewhere.
 template <int N>
 LANESCOPE_INLINE Chunk<std::int32_t, N> expand_bits(ChunkBits bits) {
@@ -414,19 +441,6 @@ LANESCOPE_INLINE void scatter(ChunkBits bits, ElementOf<V>* base, Rebind<V, std:
 #endif
   for (int i = 0; i < kLanes<V>; ++i)
     if (bits >> i & 1) base[Stride * static_cast<std::ptrdiff_t>(index[i])] = v[i];
-}
-
-/// Adds 1 to the lanes of `bits`.
-template <class V>
-LANESCOPE_INLINE V increment(ChunkBits bits, V v) {
-#ifdef LANESCOPE_AVX512
-  if constexpr (sizeof(V) == 64)
-    return (V)_mm512_mask_add_epi32((__m512i)v, bits, (__m512i)v, _mm512_set1_epi32(1));
-  if constexpr (sizeof(V) == 32)
-    return (V)_mm256_mask_add_epi32((__m256i)v, static_cast<__mmask8>(bits), (__m256i)v,
-                                    _mm256_set1_epi32(1));
-#endif
-  return v - (V)expand_bits<kLanes<V>>(bits);
 }
 
 #undef LANESCOPE_HOST_FLOAT

@@ -24,6 +24,7 @@
 #include <type_traits>
 
 #include "simulator/base/error.h"
+#include "simulator/lane_counter.h"
 #include "simulator/mode.h"
 #include "simulator/tally.h"
 #include "simulator/vector.h"
@@ -47,29 +48,26 @@ constexpr std::uint64_t hash_name(std::string_view name) {
   return hash | 1;
 }
 
+// The slow paths are noexcept (out of memory ends the program): an exception's way out of the hot
+// loop would keep the counters in memory.
+
 /// What a site has counted since it last handed its counts over: executions of one list.
 template <int W>
 struct SiteCounts {
-  typename Vec<std::uint32_t, W>::Chunk lanes[kChunks<W>] = {};
-  std::uint64_t histogram[W + 1] = {};
+  LaneCounter<W> lanes;
+  std::uint64_t histogram[W + 1];
 };
 
 template <int W>
 [[gnu::noinline, gnu::cold]] void hand_over(Tally& tally, std::size_t stage, std::size_t list,
-                                            const SiteCounts<W>& counts) {
-  std::uint64_t executions = 0;
-  for (const std::uint64_t count : counts.histogram) executions += count;
-  LANESCOPE_CHECK(executions < (std::uint64_t{1} << 32),
-                  "{} executions of one block at one site; open the site closer to the loop",
-                  executions);
-  std::uint32_t lanes[kChunks<W> * kChunkLanes<W>];
-  std::memcpy(lanes, counts.lanes, sizeof lanes);
-  tally.add(stage, list, {lanes, static_cast<std::size_t>(W)}, counts.histogram);
+                                            const SiteCounts<W>& counts) noexcept {
+  const auto lanes = counts.lanes.counts();
+  tally.add(stage, list, {lanes.data(), static_cast<std::size_t>(W)}, counts.histogram);
 }
 
 [[gnu::noinline, gnu::cold]] inline std::size_t intern(Tally& tally, std::size_t stage,
                                                        std::uint64_t signature,
-                                                       const IssueList& list) {
+                                                       const IssueList& list) noexcept {
   return tally.intern(stage, signature, list);
 }
 
@@ -99,22 +97,38 @@ class Site {
   friend class Block<W, M>;
 
   LANESCOPE_INLINE void hand_over() {
-    const detail::SiteCounts<W> copy = counts_;
+    detail::SiteCounts<W> copy{lanes_.copy(), {}};
+    for (int k = 0; k <= W; ++k) copy.histogram[k] = histogram_[k];
     detail::hand_over<W>(tally_, stage_, list_, copy);
   }
 
+  LANESCOPE_INLINE void restart() {
+    lanes_.reset();
+    budget_ = LaneCounter<W>::kCapacity;
+    for (int k = 0; k <= W; ++k) histogram_[k] = 0;
+  }
+
+  /// Makes room in the lanes' counters for the execution that is about to be counted.
+  LANESCOPE_INLINE void renew() {
+    hand_over();
+    restart();
+    --budget_;
+  }
+
   LANESCOPE_INLINE void executed(Mask<W> active) {
-    ++counts_.histogram[active.count()];
-    host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-      counts_.lanes[c] = host::increment(active.chunk[c], counts_.lanes[c]);
-    });
+    ++histogram_[active.count()];
+    lanes_.add(active);
   }
 
   Tally& tally_;
   std::size_t stage_;
-  std::uint64_t signature_ = 0;  ///< Of the list that counts_ is about; 0 is none.
+  std::uint64_t signature_ = 0;  ///< Of the list that is being counted; 0 is none.
   std::size_t list_ = 0;
-  detail::SiteCounts<W> counts_;
+  // Executions of the list by lane and by number of active lanes. Copied element by element: a
+  // memcpy would take the site's address, and nothing of it could stay in a register.
+  LaneCounter<W> lanes_;
+  std::uint64_t histogram_[W + 1] = {};
+  std::int32_t budget_ = 0;  ///< Executions until the lanes' counters are full.
 };
 
 /// Code under one mask. Instructions issued in it are charged when it ends.
@@ -156,14 +170,13 @@ class Block {
       constexpr std::size_t kIndex = kInstructionIndex<Op>;
       if constexpr (kIndex < InstructionSet::kSize) {
         constexpr int kShift = 16 * (kIndex % 4);
-        std::uint64_t& word = (kOverhead ? list_.overhead : list_.baseline)[kIndex / 4];
+        std::uint64_t& word = (kOverhead ? overhead_ : baseline_)[kIndex / 4];
         if ((word >> kShift & 0xffff) == 0xffff) detail::fail_block_length(Op::kInfo);
         word += std::uint64_t{1} << kShift;
       } else {
-        if (list_.foreign_count == IssueList::kForeign) detail::fail_block_length(Op::kInfo);
-        list_.foreign[list_.foreign_count] = &Op::kInfo;
-        list_.foreign_overhead[list_.foreign_count] = kOverhead;
-        ++list_.foreign_count;
+        if (foreign_count_ == IssueList::kForeign) detail::fail_block_length(Op::kInfo);
+        foreign_[foreign_count_] = {&Op::kInfo, kOverhead};
+        ++foreign_count_;
       }
       constexpr std::uint64_t kHash = detail::hash_name(Op::kInfo.mnemonic) + 2 * kOverhead;
       signature_ = (signature_ + kHash) * 0x9e3779b97f4a7c15u;
@@ -175,16 +188,23 @@ class Block {
     if constexpr (M != Mode::kUncounted) {
       if (signature_ == 0) return;
       if (site_.signature_ != signature_) [[unlikely]] switch_list();
+      if (--site_.budget_ < 0) [[unlikely]] site_.renew();
       site_.executed(active_);
     }
   }
 
   LANESCOPE_INLINE void switch_list() {
-    if (site_.signature_ != 0) {
-      site_.hand_over();
-      site_.counts_ = {};
-    }
-    const IssueList copy = list_;
+    if (site_.signature_ != 0) site_.hand_over();
+    site_.restart();
+    IssueList copy;
+    host::unroll<IssueList::kWords>([&](auto i) LANESCOPE_INLINE_LAMBDA {
+      copy.baseline[i] = baseline_[i];
+      copy.overhead[i] = overhead_[i];
+    });
+    copy.foreign_count = foreign_count_;
+    host::unroll<IssueList::kForeign>([&](auto i) LANESCOPE_INLINE_LAMBDA {
+      if (i < foreign_count_) copy.foreign[i] = foreign_[i];
+    });
     site_.list_ = detail::intern(site_.tally_, site_.stage_, signature_, copy);
     site_.signature_ = signature_;
   }
@@ -192,7 +212,11 @@ class Block {
   Site<W, M>& site_;
   Mask<W> active_;
   std::uint64_t signature_ = 0;
-  IssueList list_;
+  // The list (see IssueList), in members of its own: an aggregate that is copied stays in memory.
+  std::uint64_t baseline_[IssueList::kWords] = {};
+  std::uint64_t overhead_[IssueList::kWords] = {};
+  ForeignIssue foreign_[IssueList::kForeign];
+  int foreign_count_ = 0;
 };
 
 /// A vector machine of width W. Not thread-safe; counts of several machines merge by addition.

@@ -27,7 +27,7 @@ void for_each_issued(const IssueList& list, F&& f) {
     if (const auto times = list.baseline[i / 4] >> shift & 0xffff) f(*infos[i], times, false);
     if (const auto times = list.overhead[i / 4] >> shift & 0xffff) f(*infos[i], times, true);
   }
-  for (int i = 0; i < list.foreign_count; ++i) f(*list.foreign[i], 1, list.foreign_overhead[i]);
+  for (int i = 0; i < list.foreign_count; ++i) f(*list.foreign[i].info, 1, list.foreign[i].overhead);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ std::size_t Tally::intern(std::size_t stage_index, std::uint64_t signature,
 }
 
 void Tally::add(std::size_t stage, std::size_t list_index,
-                std::span<const std::uint32_t> lane_executions,
+                std::span<const std::uint16_t> lane_executions,
                 std::span<const std::uint64_t> histogram) {
   List& list = stages_.at(stage).lists.at(list_index);
   for (std::size_t i = 0; i < list.lane_executions.size(); ++i)

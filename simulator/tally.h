@@ -13,6 +13,13 @@
 
 namespace lanescope {
 
+/// An instruction that is not in the set, issued once.
+struct ForeignIssue {
+  const InstructionInfo* info;
+  bool overhead;
+  bool operator==(const ForeignIssue&) const = default;
+};
+
 /// What one execution of a block issued: how often each instruction of the set, and which others.
 struct IssueList {
   /// Counts of 16 bits, four to a word, by place in the instruction set: scalars in words rather
@@ -22,9 +29,7 @@ struct IssueList {
 
   std::uint64_t baseline[kWords] = {};
   std::uint64_t overhead[kWords] = {};
-  /// Instructions that are not in the set, one entry each time.
-  const InstructionInfo* foreign[kForeign] = {};
-  bool foreign_overhead[kForeign] = {};
+  ForeignIssue foreign[kForeign] = {};
   int foreign_count = 0;
 
   bool operator==(const IssueList&) const = default;
@@ -41,7 +46,7 @@ class Tally {
 
   /// Adds executions of a list: lane_executions[i] of them with lane i on, histogram[k] with k
   /// lanes on.
-  void add(std::size_t stage, std::size_t list, std::span<const std::uint32_t> lane_executions,
+  void add(std::size_t stage, std::size_t list, std::span<const std::uint16_t> lane_executions,
            std::span<const std::uint64_t> histogram);
 
   Counts counts() const;

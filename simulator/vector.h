@@ -47,19 +47,24 @@ class Mask {
   LANESCOPE_INLINE static Mask first_n(int n) { return from_bits(low_bits(n < W ? n : W)); }
 
   LANESCOPE_INLINE std::uint64_t bits() const {
-    std::uint64_t all = 0;
-    host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-      all |= std::uint64_t{chunk[c]} << (c * kChunkLanes<W>);
-    });
-    return all;
+    if constexpr (W == 64 && kChunks<W> == 4) {
+      return host::join_halves(pair_bits<0>(), pair_bits<1>());
+    } else if constexpr (W == 32 && kChunks<W> == 2) {
+      return pair_bits<0>();
+    } else {
+      std::uint64_t all = 0;
+      host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
+        all |= std::uint64_t{chunk[c]} << (c * kChunkLanes<W>);
+      });
+      return all;
+    }
   }
-  LANESCOPE_INLINE int count() const {
-    int lanes = 0;
-    host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-      lanes += __builtin_popcount(chunk[c]);
-    });
-    return lanes;
+  /// The bits of chunks 2 P and 2 P + 1, of 16 lanes each, joined in the host's mask registers.
+  template <int P>
+  LANESCOPE_INLINE std::uint32_t pair_bits() const {
+    return host::join_chunks(chunk[2 * P], chunk[2 * P + 1]);
   }
+  LANESCOPE_INLINE int count() const { return host::count_bits(bits()); }
   LANESCOPE_INLINE bool any() const {
     unsigned seen = 0;
     host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA { seen |= chunk[c]; });

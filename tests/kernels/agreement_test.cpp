@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Every kernel on every scene at every width, in every mode, with either shape: the same hits and
+// the same frame as the scalar reference, bit for bit. The matrix is made from the registries.
+#include <gtest/gtest.h>
+
+#include "tests/kernels/runs.h"
+#include "workloads/scene.h"
+#include "workloads/tessellator.h"
+
+namespace lanescope {
+namespace {
+
+using test::Outcome;
+
+/// A scene in small, tessellated once for each shape; of its many packets, some spread over it.
+struct SmallScene {
+  static constexpr int kWidthPx = 64, kHeightPx = 40;
+
+  SmallScene(const SceneDescriptor& descriptor, Micropolygon shape)
+      : scene(descriptor.build(descriptor.default_frame)) {
+    TessellationOptions options;
+    options.width_px = kWidthPx;
+    options.height_px = kHeightPx;
+    options.samples_per_axis = 2;
+    options.shape = shape;
+    options.packet_capacity = 200;  // a multiple of no width but 8 and 40
+    const Tessellator tessellator(scene, options);
+    for (int segment = 0; segment < tessellator.segment_count(); ++segment)
+      tessellator.tessellate(segment, [&](const Packet& packet) { keep(packet); });
+  }
+
+  void keep(const Packet& packet) {
+    Packet copy(packet.shape(), packet.capacity());
+    copy.first_id = packet.first_id;
+    for (int i = 0; i < packet.size(); ++i) {
+      Vertex corners[4];
+      for (int k = 0; k < corner_count(packet.shape()); ++k)
+        for (int a = 0; a < kAttributeCount; ++a)
+          corners[k][static_cast<Attribute>(a)] =
+              packet.values(k, static_cast<Attribute>(a))[i];
+      copy.append(corners);
+    }
+    packets.push_back(std::move(copy));
+  }
+
+  std::vector<const Packet*> some(std::size_t step) const {
+    std::vector<const Packet*> chosen;
+    for (std::size_t i = 0; i < packets.size(); i += step) chosen.push_back(&packets[i]);
+    return chosen;
+  }
+
+  Scene scene;
+  std::vector<Packet> packets;
+  SampleGrid grid{kWidthPx, kHeightPx, 4, true, 1};
+};
+
+class Agreement
+    : public testing::TestWithParam<std::tuple<const SceneDescriptor*, Micropolygon>> {};
+
+TEST_P(Agreement, WithTheReference) {
+  const auto [descriptor, shape] = GetParam();
+  const SmallScene scene(*descriptor, shape);
+  KernelOptions options;
+  options.shape = shape;
+  const auto compare = [&](Mode mode, std::size_t step) {
+    const auto packets = scene.some(step);
+    const Outcome reference =
+        test::run(find_kernel("rastmp"), 1, mode, options, scene.grid, packets);
+    EXPECT_GT(reference.counter(find_kernel("rastmp"), "hits"), 100u);
+    for (const Kernel* kernel : kernels()) {
+      for (const int width : kernel->widths) {
+        SCOPED_TRACE(fmt::format("{}, W = {}, {}", kernel->name, width, to_string(mode)));
+        const Outcome outcome =
+            test::run(*kernel, width, mode, options, scene.grid, packets);
+        if (mode == Mode::kUncounted) {
+          EXPECT_EQ(outcome.result.hits_hash, reference.result.hits_hash);
+          EXPECT_EQ(outcome.frame_hash, reference.frame_hash);
+        } else {
+          test::expect_same(*kernel, outcome, reference);
+        }
+      }
+    }
+  };
+  compare(Mode::kCounting, 1);
+  compare(Mode::kUncounted, 1);
+  compare(Mode::kChecked, 16);
+}
+
+/// A checked machine counts what a counting one does, to the last lane.
+TEST_P(Agreement, OfCheckedAndCountingMachines) {
+  const auto [descriptor, shape] = GetParam();
+  const SmallScene scene(*descriptor, shape);
+  KernelOptions options;
+  options.shape = shape;
+  options.stream_load_threshold = 0.25f;
+  for (const Kernel* kernel : kernels()) {
+    for (const int width : kernel->widths) {
+      SCOPED_TRACE(fmt::format("{}, W = {}", kernel->name, width));
+      const auto packets = scene.some(32);
+      const auto counting = test::run(*kernel, width, Mode::kCounting, options, scene.grid, packets);
+      const auto checked = test::run(*kernel, width, Mode::kChecked, options, scene.grid, packets);
+      EXPECT_EQ(counting.result.counts, checked.result.counts);
+      EXPECT_EQ(counting.result.counters, checked.result.counters);
+    }
+  }
+}
+
+/// Packets are independent: two executions that share them count what one does.
+TEST_P(Agreement, OfSplitExecutions) {
+  const auto [descriptor, shape] = GetParam();
+  const SmallScene scene(*descriptor, shape);
+  KernelOptions options;
+  options.shape = shape;
+  for (const Kernel* kernel : kernels()) {
+    const int width = kernel->widths.back();
+    const auto packets = scene.some(4);
+    const auto half = packets.begin() + static_cast<std::ptrdiff_t>(packets.size() / 3);
+    const auto whole =
+        test::run(*kernel, width, Mode::kCounting, options, scene.grid, packets).result;
+    auto sum = test::run(*kernel, width, Mode::kCounting, options, scene.grid, {half, packets.end()})
+                   .result;
+    merge(*kernel, sum,
+          test::run(*kernel, width, Mode::kCounting, options, scene.grid, {packets.begin(), half})
+              .result);
+    EXPECT_EQ(sum.counts, whole.counts);
+    EXPECT_EQ(sum.counters, whole.counters);
+    EXPECT_EQ(sum.hits_hash, whole.hits_hash);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Agreement,
+                         testing::Combine(testing::ValuesIn(scenes()),
+                                          testing::Values(Micropolygon::kTriangle,
+                                                          Micropolygon::kQuad)),
+                         [](const auto& info) {
+                           return fmt::format("{}_{}", std::get<0>(info.param)->name,
+                                              to_string(std::get<1>(info.param)));
+                         });
+
+}  // namespace
+}  // namespace lanescope

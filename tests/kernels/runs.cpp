@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "tests/kernels/runs.h"
+
+#include <gtest/gtest.h>
+
+namespace lanescope::test {
+
+std::uint64_t Outcome::counter(const Kernel& kernel, std::string_view name) const {
+  for (std::size_t i = 0; i < kernel.counters.size(); ++i)
+    if (kernel.counters[i].name == name) return result.counters[i];
+  ADD_FAILURE() << kernel.name << " has no counter " << name;
+  return 0;
+}
+
+Outcome run(const Kernel& kernel, int width, Mode mode, const KernelOptions& options,
+            const SampleGrid& grid, const std::vector<const Packet*>& packets) {
+  Frame frame(grid);
+  const auto execution = kernel.start(width, mode, options, frame);
+  for (const Packet* packet : packets) execution->rasterize(*packet);
+  return {execution->result(), frame.hash()};
+}
+
+Packet packet_of(Micropolygon shape,
+                 const std::vector<std::vector<std::pair<float, float>>>& polygons) {
+  Packet packet(shape, static_cast<int>(polygons.size()));
+  for (const auto& polygon : polygons) {
+    Vertex corners[4];
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      corners[k] = {{polygon[k].first, polygon[k].second, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f}};
+    packet.append(corners);
+  }
+  return packet;
+}
+
+Packet squares(int columns, int rows, float size) {
+  std::vector<std::vector<std::pair<float, float>>> polygons;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const float x = static_cast<float>(column) * size, y = static_cast<float>(row) * size;
+      polygons.push_back({{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}});
+    }
+  }
+  return packet_of(Micropolygon::kQuad, polygons);
+}
+
+void expect_same(const Kernel& kernel, const Outcome& outcome, const Outcome& reference) {
+  const Kernel& scalar = find_kernel("rastmp");
+  EXPECT_EQ(outcome.result.hits_hash, reference.result.hits_hash);
+  EXPECT_EQ(outcome.frame_hash, reference.frame_hash);
+  for (const CounterInfo& info : scalar.counters)
+    EXPECT_EQ(outcome.counter(kernel, info.name), reference.counter(scalar, info.name))
+        << info.name;
+}
+
+void expect_agreement(const Packet& packet, const SampleGrid& grid, bool cull_backfaces,
+                      std::initializer_list<Mode> modes) {
+  for (const Edges edges : {Edges::kInline, Edges::kPrecomputed}) {
+    KernelOptions options;
+    options.shape = packet.shape();
+    options.edges = edges;
+    options.cull_backfaces = cull_backfaces;
+    const Kernel& scalar = find_kernel("rastmp");
+    const Outcome reference = run(scalar, 1, Mode::kCounting, options, grid, {&packet});
+    for (const Kernel* kernel : kernels()) {
+      for (const int width : kernel->widths) {
+        for (const Mode mode : modes) {
+          SCOPED_TRACE(fmt::format("{}, W = {}, {}, {} edges", kernel->name, width,
+                                   to_string(mode),
+                                   edges == Edges::kInline ? "inline" : "precomputed"));
+          const Outcome outcome = run(*kernel, width, mode, options, grid, {&packet});
+          if (mode == Mode::kUncounted) {
+            EXPECT_EQ(outcome.result.hits_hash, reference.result.hits_hash);
+            EXPECT_EQ(outcome.frame_hash, reference.frame_hash);
+          } else {
+            expect_same(*kernel, outcome, reference);
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace lanescope::test

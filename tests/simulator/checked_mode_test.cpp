@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// A checked machine finds the mistakes that kernels make, and says where.
+#include <gtest/gtest.h>
+
+#include "simulator/instruction_set.h"
+
+namespace lanescope {
+namespace {
+
+using namespace isa;
+using Checked = Machine<8, Mode::kChecked>;
+
+/// What a program fails with, without file and line; empty if it does not fail.
+template <class F>
+std::string failure(F&& program) {
+  Checked vm(1);
+  auto site = vm.site(0);
+  try {
+    program(site);
+  } catch (const CheckError& e) {
+    const std::string text = e.what();
+    EXPECT_NE(text.find("checked_mode_test.cpp:"), std::string::npos) << text;
+    return text.substr(text.find(": ") + 2);
+  }
+  return {};
+}
+
+TEST(CheckedMode, ADeadLaneMustNotBeRead) {
+  EXPECT_EQ(failure([](auto& site) {
+              typename Checked::Float a;
+              {
+                auto on = site.on(Mask<8>::first_n(3));
+                a = broadcast(on, 1.0f);
+              }
+              auto on = site.on(Mask<8>::first_n(5));
+              add(on, 1.0f, a);
+            }),
+            "add, lane 3: operand 2 is read, but the lane was off when it was computed");
+}
+
+TEST(CheckedMode, MergingKeepsWhatTheOthersHold) {
+  EXPECT_EQ(failure([](auto& site) {
+              typename Checked::Int a;
+              {
+                auto on = site.on(Mask<8>::all());
+                a = lane_index(on);
+              }
+              {
+                auto on = site.on(Mask<8>::first_n(2));
+                a = move(on, 9, a);
+              }
+              auto on = site.on(Mask<8>::all());
+              EXPECT_EQ(hadd(on, a), 9 + 9 + 2 + 3 + 4 + 5 + 6 + 7);
+            }),
+            "");
+}
+
+TEST(CheckedMode, SelectReadsOnlyWhatItChooses) {
+  const auto program = [](Mask<8> chosen) {
+    return [chosen](auto& site) {
+      typename Checked::Int a, b;
+      {
+        auto on = site.on(Mask<8>::first_n(4));
+        a = broadcast(on, 1);
+      }
+      auto on = site.on(Mask<8>::all());
+      b = broadcast(on, 2);
+      select(on, chosen, a, b);
+    };
+  };
+  EXPECT_EQ(failure(program(Mask<8>::first_n(4))), "");
+  EXPECT_EQ(failure(program(Mask<8>::first_n(5))),
+            "select, lane 4: operand 2 is read, but the lane was off when it was computed");
+}
+
+TEST(CheckedMode, CompressDefinesTheFront) {
+  EXPECT_EQ(failure([](auto& site) {
+              auto on = site.on(Mask<8>::all());
+              const auto packed = compress(on, Mask<8>::from_bits(0b1010), lane_index(on));
+              add(on, packed, 1);
+            }),
+            "add, lane 2: operand 1 is read, but the lane was off when it was computed");
+}
+
+TEST(CheckedMode, PermuteMustNotReadADeadLane) {
+  EXPECT_EQ(failure([](auto& site) {
+              auto on = site.on(Mask<8>::first_n(4));
+              const auto lanes = lane_index(on);
+              permute(on, lanes, add(on, lanes, 1));
+            }),
+            "permute, lane 4: operand 1 is read, but the lane was off when it was computed");
+}
+
+TEST(CheckedMode, AccessesStayInBounds) {
+  const float values[10] = {};
+  const auto memory = read_only(values, 10, "values");
+  EXPECT_EQ(failure([&](auto& site) {
+              auto on = site.on(Mask<8>::first_n(4));
+              load(on, memory, 7);
+            }),
+            "load, lane 3: element 10 is outside 'values', which has 10");
+  EXPECT_EQ(failure([&](auto& site) {
+              auto on = site.on(Mask<8>::first_n(4));
+              gather(on, memory, sub(on, lane_index(on), 2));
+            }),
+            "gather, lane 0: element -2 is outside 'values', which has 10");
+  EXPECT_EQ(failure([&](auto& site) {
+              auto on = site.on(Mask<8>::all());
+              gather_pair(on, memory, lane_index(on));
+            }),
+            "gather_pair, lane 5: element 10 is outside 'values', which has 10");
+}
+
+TEST(CheckedMode, MemoryIsWrittenBeforeItIsRead) {
+  Buffer<std::int32_t> buffer(8, "scratch", true);
+  EXPECT_EQ(failure([&](auto& site) {
+              auto on = site.on(Mask<8>::first_n(6));
+              scatter(on, buffer.memory(), lane_index(on), broadcast(on, 5));
+              load(on, buffer.memory(), 0);
+            }),
+            "");
+  EXPECT_EQ(failure([&](auto& site) {
+              auto on = site.on(Mask<8>::all());
+              load(on, buffer.memory(), 0);
+            }),
+            "load, lane 6: element 6 of 'scratch' is read, but was never written");
+}
+
+TEST(CheckedMode, DeadLanesHoldPoison) {
+  Checked vm(1);
+  auto site = vm.site(0);
+  auto on = site.on(Mask<8>::first_n(1));
+  EXPECT_TRUE(std::isnan(broadcast(on, 1.0f).vec[1]));
+  EXPECT_EQ(broadcast(on, 1u).vec[1], 0x7badbad1u);
+}
+
+}  // namespace
+}  // namespace lanescope
