@@ -45,7 +45,7 @@ WordGrid word_grid(const TableData& data) {
     compared.push_back(any_cell(data, i, has_thesis));
     grid.columns.push_back({data.columns[i], true, any_cell(data, i, has_words)});
     if (!compared.back()) continue;
-    grid.columns.push_back({"thesis", false});
+    grid.columns.push_back({"paper", false});
     grid.columns.push_back({"diff", false});
   }
   for (const Row& row : data.rows) grid.lines.push_back(line_of(row, compared));

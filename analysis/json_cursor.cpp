@@ -62,6 +62,8 @@ Json parse_json(std::string_view text, const std::string& file) {
   } catch (const Json::parse_error& error) {
     throw InputError(fmt::format("{}:{}", file, line_and_column(text, error.byte)),
                      "is not JSON: {}", reason(error.what()));
+  } catch (const Json::out_of_range& error) {
+    throw InputError(file, "has a number too large for a double: {}", error.what());
   }
 }
 

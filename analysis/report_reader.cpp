@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads what report_json.cpp writes, and refuses everything else.
 #include <cmath>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -21,7 +22,13 @@ Value read_choice(const JsonCursor& cursor, const std::array<Choice<Value>, kCou
   return *value;
 }
 
-float read_float(const JsonCursor& cursor) { return static_cast<float>(cursor.number()); }
+float read_float(const JsonCursor& cursor) {
+  const double number = cursor.number();
+  if (std::abs(number) > std::numeric_limits<float>::max())
+    cursor.fail("a number in the range of single precision");
+  return static_cast<float>(number);
+}
+
 double read_number(const JsonCursor& cursor) { return cursor.number(); }
 std::uint64_t read_count(const JsonCursor& cursor) { return cursor.count(); }
 

@@ -65,6 +65,7 @@ ReportView::ReportView(const Report& report, const std::string& scene)
 
 std::string ReportView::caption() const {
   if (scenes_.size() == 1) return scenes_.front();
+  if (scenes_.empty()) return "no scenes";
   return fmt::format("mean of {}", fmt::join(scenes_, ", "));
 }
 

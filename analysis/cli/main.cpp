@@ -91,6 +91,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("lanescope {}", program_version()));
   app.footer("\nExamples:\n  lanescope tables --out out\n  lanescope run --help");
   app.allow_extras();
+  app.require_subcommand(0, 1);  // So that `list tables` is one command.
   std::vector<std::pair<const CLI::App*, Action>> actions;
   for (const Command* command : commands()) {
     Action action = declare(app, *command);

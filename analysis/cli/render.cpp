@@ -17,16 +17,20 @@ namespace {
 struct Arguments {
   ExperimentArguments experiment;
   std::string kernel = "lockstep";
-  std::string width = "16";
+  std::string width;
   std::string micropolygon = "quad";
   std::string output;
   Arguments() { experiment.mode = name_of(kModes, Mode::kUncounted); }
 };
 
 Configuration resolve(const Arguments& arguments) {
-  const std::vector<Configuration> all = cross(
-      resolve_scenes(arguments.experiment, DefaultScenes::kFirst),
-      resolve_kernels(arguments.kernel), arguments.width, resolve_shapes(arguments.micropolygon));
+  const std::vector<std::string> kernels = resolve_kernels(arguments.kernel);
+  const std::string width = arguments.width.empty()
+                                ? std::to_string(resolve_widths("", kernels.front()).front())
+                                : arguments.width;
+  const std::vector<Configuration> all =
+      cross(resolve_scenes(arguments.experiment, DefaultScenes::kFirst), kernels, width,
+            resolve_shapes(arguments.micropolygon));
   if (all.size() != 1)
     throw InputError("render", "draws one picture; give one scene, kernel, width and micropolygon");
   return all.front();
@@ -50,10 +54,11 @@ std::function<void()> declare(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   const auto add = [&](const char* option, std::string& text, const char* form,
                        const char* meaning) {
-    app.add_option(option, text, meaning)->type_name(form)->group("Kernels")->default_str(text);
+    CLI::Option* added = app.add_option(option, text, meaning)->type_name(form)->group("Kernels");
+    if (!text.empty()) added->default_str(text);
   };
   add("--kernel", arguments->kernel, "NAME", "The kernel that draws");
-  add("--width", arguments->width, "W", "Width of its machine");
+  add("--width", arguments->width, "W", "Width of its machine; the narrowest if left out");
   add("--micropolygon", arguments->micropolygon, "KIND", "triangle or quad");
   add_experiment_options(app, arguments->experiment);
   app.add_option("-o,--output", arguments->output, "The picture, a PNG file; - for standard output")

@@ -58,7 +58,7 @@ void add_instruction_rows(TableData& data, const Runs& runs) {
       "Overall", runs, [](const RunRecord& run) { return utilization(run, Stages::kAll).value(); },
       kPercent));
   data.rows.push_back(figure_row(
-      "Instructions/mp", runs,
+      "Instr./mp", runs,
       [](const RunRecord& run) { return instructions_per_micropolygon(run, Stages::kAll); },
       kInstructions));
 }

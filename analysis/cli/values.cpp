@@ -2,6 +2,7 @@
 #include "analysis/cli/values.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -67,8 +68,9 @@ std::string parse_name(const Argument& argument, std::string_view kind,
                        const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), argument.text) != names.end())
     return std::string(argument.text);
+  const bool are_words = !names.empty() && std::isalpha(static_cast<unsigned char>(names[0][0]));
   throw InputError(argument.option, "'{}' is not {}; use {}{}", argument.text, kind, list_or(names),
-                   did_you_mean(argument.text, names));
+                   are_words ? did_you_mean(argument.text, names) : "");
 }
 
 }  // namespace lanescope

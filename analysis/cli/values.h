@@ -31,7 +31,8 @@ float parse_number(const Argument& argument, float low, float high);
 /// The elements between commas, of which none is empty or given twice.
 std::vector<Argument> parse_list(const Argument& argument);
 
-/// One of the names. `kind` says what they are: `a kernel`.
+/// One of the names. `kind` says what they are: `a kernel`. Names that are words are suggested for
+/// near-misses; numbers are not.
 std::string parse_name(const Argument& argument, std::string_view kind,
                        const std::vector<std::string>& names);
 

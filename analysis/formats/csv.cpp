@@ -35,7 +35,7 @@ std::string line(const Place& place, std::string_view quantity, const Figure& fi
 }
 
 std::string cell_lines(const Place& place, const Cell& cell) {
-  if (!cell.figure) return line(place, "words", {}, cell.words.empty() ? "-" : cell.words);
+  if (!cell.figure) return cell.words.empty() ? "" : line(place, "words", {}, cell.words);
   std::string lines = line(place, "figure", *cell.figure, "");
   if (cell.share) lines += line(place, "share", *cell.share, "");
   return lines;

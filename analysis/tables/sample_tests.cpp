@@ -13,7 +13,7 @@ std::optional<double> as_double(std::optional<std::uint64_t> count) {
   return static_cast<double>(*count);
 }
 
-/// A cell for each scene, and one for their mean if there are several.
+/// A cell for each scene, and one for their mean unless there is only one.
 Row scene_row(const ReportView& view, std::string label, Micropolygon shape,
               const RunFigure& figure, const Unit& unit, std::optional<double> thesis) {
   Row row{std::move(label), {}};
@@ -72,7 +72,7 @@ TableData build(const ReportView& view) {
   data.title = "Sample test efficiency, and what the scenes are like";
   data.row_header = "Micropolygons";
   data.columns = view.scenes();
-  if (view.scenes().size() > 1) data.columns.push_back("Mean");
+  if (view.scenes().size() != 1) data.columns.push_back("Mean");
   add_shape(data, view, Micropolygon::kTriangle, "Triangles");
   add_shape(data, view, Micropolygon::kQuad, "Quads");
   data.notes = {

@@ -47,7 +47,7 @@ void add_rows_with_setup(TableData& data, const ReportView& view, const Series& 
     return Cell{
         Figure{overall_utilization(view, series, width, Stages::kAll), {}, &kPercent}, {}, {}};
   }));
-  data.rows.push_back(row_over("Instructions/mp *", widths, [&](int width) {
+  data.rows.push_back(row_over("Instr./mp *", widths, [&](int width) {
     return Cell{
         Figure{instructions(view, series, width, Stages::kAll), {}, &kInstructions}, {}, {}};
   }));
@@ -106,7 +106,7 @@ TableData build_utilization(const ReportView& view, const UtilizationTable& tabl
   data.rows.push_back(row_over(std::string(kOverall), widths, [&](int width) {
     return Cell{utilization_figure(view, table, kOverall, width), {}, {}};
   }));
-  data.rows.push_back(row_over("Instructions/mp", widths, [&](int width) {
+  data.rows.push_back(row_over("Instr./mp", widths, [&](int width) {
     return Cell{Figure{instructions(view, series, width),
                        thesis_value({table.thesis_key, "ops_per_mp"}, width), &kInstructions},
                 {},

@@ -76,6 +76,8 @@ struct BadReport {
   std::string message;
 };
 
+void PrintTo(const BadReport& bad, std::ostream* out) { *out << bad.name; }
+
 class BadReports : public ::testing::TestWithParam<BadReport> {};
 
 TEST_P(BadReports, AreRefusedWithTheirPlace) {
@@ -127,6 +129,9 @@ const std::vector<BadReport> kBadReports{
      "r.json:/runs/0/parameters: the member 'edges' is missing"},
     {"AreaAsText", [](Json& j) { j["runs"][0]["parameters"]["dice_area_px"] = "1"; },
      "r.json:/runs/0/parameters/dice_area_px: \"1\" is not a number"},
+    {"AreaTooLarge", [](Json& j) { j["runs"][0]["parameters"]["dice_area_px"] = 1e300; },
+     "r.json:/runs/0/parameters/dice_area_px: 1e+300 is not a number in the range of single "
+     "precision"},
     {"ShortHash", [](Json& j) { j["runs"][0]["hits_hash"] = "0x12"; },
      "r.json:/runs/0/hits_hash: \"0x12\" is not a string of 0x and 16 hexadecimal digits"},
     {"HashOfOtherLetters", [](Json& j) { j["runs"][0]["frame_hash"] = "0x00000000000000zz"; },
@@ -168,7 +173,7 @@ std::string complaint(const std::string& text) {
 
 TEST(BadJson, NamesLineAndColumn) {
   EXPECT_EQ(complaint("").substr(0, 27), "r.json:1:1: is not JSON: sy");
-  EXPECT_EQ(complaint("{\n  \"schema\": x\n}").substr(0, 25), "r.json:2:13: is not JSON: ");
+  EXPECT_EQ(complaint("{\n  \"schema\": x\n}").substr(0, 26), "r.json:2:13: is not JSON: ");
 }
 
 TEST(BadJson, TruncatedAnywhereIsRefused) {
@@ -180,6 +185,10 @@ TEST(BadJson, TruncatedAnywhereIsRefused) {
 TEST(BadJson, TwiceTheSameMemberIsRefused) {
   EXPECT_EQ(complaint(R"({"schema": 1, "schema": 2})"),
             "r.json: an object has the member 'schema' twice");
+}
+
+TEST(BadJson, NumbersThatNothingHoldsAreRefused) {
+  EXPECT_EQ(complaint("[1e999]").rfind("r.json: has a number too large for a double: ", 0), 0u);
 }
 
 TEST(BadJson, MissingFileIsNamed) {

@@ -17,6 +17,8 @@ struct BadLine {
   std::string complaint;
 };
 
+void PrintTo(const BadLine& line, std::ostream* out) { *out << "lanescope " << line.arguments; }
+
 class BadCommandLines : public ::testing::TestWithParam<BadLine> {};
 
 TEST_P(BadCommandLines, EndWithStatus2AndOneLine) {
@@ -35,8 +37,8 @@ const std::string kTables =
 const std::vector<BadLine> kBadLines{
     // Commands and their arguments.
     {"", "command: none given; use run, tables, list or render"},
-    {"rnu",
-     "command: 'rnu' is not a command; use run, tables, list or render; did you mean 'run'?"},
+    {"runn",
+     "command: 'runn' is not a command; use run, tables, list or render; did you mean 'run'?"},
     {"zzzzzz", "command: 'zzzzzz' is not a command; use run, tables, list or render"},
     {"--versoin", "--versoin: is not an option of lanescope; did you mean '--version'?"},
     {"run teapot", "run: unexpected argument 'teapot'"},
@@ -73,8 +75,8 @@ const std::vector<BadLine> kBadLines{
      "--stream-load-threshold: '50%' is not a number from 0 to 1"},
     {"run --cull yes", "--cull: 'yes' is not on or off"},
     {"run --mode trace", "--mode: 'trace' is not counting, checked or uncounted"},
-    {"run --mode check",
-     "--mode: 'check' is not counting, checked or uncounted; did you mean 'checked'?"},
+    {"run --mode chekked",
+     "--mode: 'chekked' is not counting, checked or uncounted; did you mean 'checked'?"},
     // Scenes.
     {"run --scene teapto",
      "--scene: 'teapto' is not a scene; use " + kScenes + "; did you mean 'teapot'?"},
@@ -85,11 +87,12 @@ const std::vector<BadLine> kBadLines{
     {"run --frame -1", "--frame: '-1' is not an integer from 0 to 1048576"},
     {"run --turn 400", "--turn: '400' is not a number from -360 to 360"},
     {"run --turn 1e99", "--turn: '1e99' is not a number from -360 to 360"},
-    {"run --mesh a.obj --scene teapot", "--mesh excludes --scene"},
+    {"run --mesh a.obj --scene teapot", "--scene excludes --mesh"},
     {"run --mesh a.obj --frame 3", "--frame: a mesh has no frames; leave it out"},
     {"run --mesh a.obj --patches flat", "--patches: 'flat' is not linear, pn or phong"},
     {"run --patches pn", "--patches requires --mesh"},
-    {"run --mesh /nonexistent/a.obj", "/nonexistent/a.obj: cannot be opened"},
+    {"run --mesh /nonexistent/a.obj",
+     "/nonexistent/a.obj: cannot be opened: No such file or directory"},
     // Tessellation and sampling.
     {"run --resolution 100", "--resolution: '100' is not of the form WIDTHxHEIGHT, as 1728x1080"},
     {"run --resolution 100x", "--resolution: '' is not an integer from 1 to 16384"},
