@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "analysis/build_info.h"
+#include "analysis/frame_pool.h"
 #include "analysis/packet_hash.h"
 #include "analysis/parallel.h"
 #include "analysis/scene_source.h"
@@ -126,15 +127,22 @@ void add_counters(RunRecord& run, const Kernel& kernel, const KernelResult& resu
 class GroupRun {
  public:
   GroupRun(const std::vector<Configuration>& configurations, const Indices& indices,
-           const ExperimentOptions& options)
+           const ExperimentOptions& options, FramePool& frames)
       : indices_(indices),
         options_(options),
+        frames_(frames),
         scene_(build_scene(configurations[indices.front()])),
         tessellator_(scene_, configurations[indices.front()].tessellation_options()) {
     for (const std::size_t index : indices) {
       const Configuration& c = configurations[index];
-      members_.push_back({&c, &find_kernel(c.kernel), std::make_unique<Frame>(c.sample_grid())});
+      members_.push_back({&c, &find_kernel(c.kernel), frames.take(c)});
     }
+  }
+
+  GroupRun(const GroupRun&) = delete;
+  GroupRun& operator=(const GroupRun&) = delete;
+  ~GroupRun() {
+    for (Member& member : members_) frames_.give_back(std::move(member.frame));
   }
 
   void run(Report& report, Dictionary& dictionary, const std::function<void(double)>& progress) {
@@ -192,6 +200,7 @@ class GroupRun {
 
   const Indices& indices_;
   const ExperimentOptions& options_;
+  FramePool& frames_;
   Scene scene_;
   Tessellator tessellator_;
   std::vector<Member> members_;
@@ -208,9 +217,10 @@ Report run_experiment(const std::vector<Configuration>& configurations,
   report.runs.resize(configurations.size());
   report.timing.kernel_ms.resize(configurations.size());
   Dictionary dictionary;
+  FramePool frames;
   const std::vector<Indices> groups = group(configurations);
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    GroupRun run(configurations, groups[i], options);
+    GroupRun run(configurations, groups[i], options, frames);
     run.run(report, dictionary, [&](double fraction) {
       if (options.progress)
         options.progress((static_cast<double>(i) + fraction) / static_cast<double>(groups.size()));
