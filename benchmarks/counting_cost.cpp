@@ -2,21 +2,21 @@
 // What counting costs: W1 by hand, uncounted and counting, and the kernels uncounted and counting,
 // in turn within one process; prints the median of the ratios of each round.
 #include <fmt/format.h>
-
 #include <time.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <vector>
 
 #include "benchmarks/w1.h"
 #include "kernels/kernel.h"
+#include "workloads/scene.h"
+#include "workloads/tessellator.h"
 
 namespace lanescope {
 namespace {
 
-constexpr int kRounds = 15;
+constexpr int kRounds = 21;
 
 /// Processor time of this thread: other processes on a shared machine do not count.
 double thread_seconds() {
@@ -59,34 +59,25 @@ void measure_w1(w1::Triangles& triangles) {
   fmt::print("\n");
 }
 
-/// A sheet of half-pixel triangles, turned and sheared so that boxes differ, over part of a frame.
+constexpr int kWidthPx = 480, kHeightPx = 300;
+
+/// The packets of a scene, kept: tessellation is not what is measured.
 std::vector<Packet> make_packets() {
+  const SceneDescriptor& descriptor = find_scene("ballroll");
+  const Scene scene = descriptor.build(descriptor.default_frame);
+  TessellationOptions options;
+  options.width_px = kWidthPx;
+  options.height_px = kHeightPx;
+  const Tessellator tessellator(scene, options);
   std::vector<Packet> packets;
-  for (int p = 0; p < 64; ++p) {
-    Packet packet(Micropolygon::kTriangle, 1920);
-    for (int i = 0; i < 1920; ++i) {
-      const float u = static_cast<float>(i / 2 % 31), v = static_cast<float>(i / 2 / 31);
-      const auto corner = [&](float du, float dv) {
-        const float a = u + du, b = v + dv;
-        const float bend = 1 + 0.3f * std::sin(0.3f * a + 0.2f * b + static_cast<float>(p));
-        Vertex vertex{{60.0f * static_cast<float>(p % 8) + 10 + 1.5f * a * bend + 0.3f * b,
-                       60.0f * static_cast<float>(p / 8) + 10 + 1.5f * b - 0.2f * a * bend, 1.0f + 0.01f * a,
-                       0.5f, 0.4f, 0.3f, 1.0f}};
-        for (const Attribute axis : {Attribute::kX, Attribute::kY})
-          vertex[axis] = std::round(vertex[axis] / kSubpixel) * kSubpixel;
-        return vertex;
-      };
-      const Vertex a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
-      const Vertex corners[2][3] = {{a, b, c}, {a, c, d}};
-      packet.append(corners[i % 2]);
-    }
-    packets.push_back(std::move(packet));
-  }
+  for (int segment = 0; segment < tessellator.segment_count(); ++segment)
+    tessellator.tessellate(segment,
+                           [&](const Packet& packet) { packets.push_back(packet.clone()); });
   return packets;
 }
 
 void measure_kernel(const Kernel& kernel, int width, const std::vector<Packet>& packets) {
-  const SampleGrid grid(320, 320, 4, true, 1);
+  const SampleGrid grid(kWidthPx, kHeightPx, 4, true, 1);
   Frame frame(grid);
   const auto run = [&](Mode mode) {
     return [&, execution = kernel.start(width, mode, {}, frame)]() mutable {

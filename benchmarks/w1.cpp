@@ -85,7 +85,9 @@ Counts run_on_machine(Triangles& t) {
   using namespace isa;
   using Vm = Machine<W, M>;
   const auto size = static_cast<std::size_t>(t.size());
-  const auto floats = [&](const std::vector<float>& v) { return read_only(v.data(), size, "corners"); };
+  const auto floats = [&](const std::vector<float>& v) {
+    return read_only(v.data(), size, "corners");
+  };
   const Memory<const float> xs[3] = {floats(t.x[0]), floats(t.x[1]), floats(t.x[2])};
   const Memory<const float> ys[3] = {floats(t.y[0]), floats(t.y[1]), floats(t.y[2])};
   const auto tests = read_only(t.tests.data(), size, "tests");

@@ -19,9 +19,8 @@ using lanescope::Mode;
 
 /// The instruction: what one lane computes, and what describes it in tables and reports.
 struct Cross {
-  static constexpr lanescope::InstructionInfo kInfo{
-      "cross", "r[i] = ax[i] * by[i] - ay[i] * bx[i]",
-      lanescope::InstructionClass::kArithmetic};
+  static constexpr lanescope::InstructionInfo kInfo{"cross", "r[i] = ax[i] * by[i] - ay[i] * bx[i]",
+                                                    lanescope::InstructionClass::kArithmetic};
   static float lane(float ax, float ay, float bx, float by) { return ax * by - ay * bx; }
 };
 inline constexpr lanescope::Instruction<Cross> cross;
@@ -50,10 +49,10 @@ int count_inside(Vm& vm, Memory<const float> xs, Memory<const float> ys, const C
       x[k] = isa::sub(on, kX[k], px);
       y[k] = isa::sub(on, kY[k], py);
     });
-    const auto least =
-        isa::min(on, isa::min(on, cross_op(on, x[0], y[0], x[1], y[1]),
-                              cross_op(on, x[1], y[1], x[2], y[2])),
-                 cross_op(on, x[2], y[2], x[0], y[0]));
+    const auto least = isa::min(
+        on,
+        isa::min(on, cross_op(on, x[0], y[0], x[1], y[1]), cross_op(on, x[1], y[1], x[2], y[2])),
+        cross_op(on, x[2], y[2], x[0], y[0]));
     inside_count += isa::count(on, isa::cmp_gt(on, least, 0.0f));
   }
   return inside_count;

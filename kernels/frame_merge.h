@@ -8,36 +8,9 @@
 
 #include "kernels/counters.h"
 #include "kernels/frame.h"
-#include "simulator/issue.h"
+#include "simulator/instruction_set.h"
 
 namespace lanescope {
-
-/// Finds lanes of one invocation that hit a sample already seen in it: a hash set that is emptied
-/// by starting a new epoch.
-class ConflictDetector {
- public:
-  void start() { ++epoch_; }
-  /// Whether the sample has been seen since start().
-  bool seen(std::uint32_t sample) {
-    for (std::uint32_t place = sample * 0x9e3779b1u >> 24;; place = (place + 1) % kSize) {
-      Slot& slot = slots_[place];
-      if (slot.epoch != epoch_) {
-        slot = {epoch_, sample};
-        return false;
-      }
-      if (slot.sample == sample) return true;
-    }
-  }
-
- private:
-  static constexpr std::uint32_t kSize = 256;  // at most 64 lanes: a quarter full
-  struct Slot {
-    std::uint64_t epoch = 0;
-    std::uint32_t sample = 0;
-  };
-  std::array<Slot, kSize> slots_{};
-  std::uint64_t epoch_ = 0;
-};
 
 /// Where hits go: the frame, the hash of the list of hits, and counters.
 struct HitSink {
@@ -47,7 +20,6 @@ struct HitSink {
   std::uint64_t hits_hash = 0;
   /// Ids of the micropolygons in the lanes; set before FrameMerge is issued.
   std::array<std::uint64_t, 64> ids{};
-  ConflictDetector conflicts{};
 
   void hit(std::uint64_t id, std::uint32_t sample, float depth, std::uint32_t colour) {
     hits_hash += hit_hash(id, sample);
@@ -69,12 +41,12 @@ struct FrameMerge {
     const auto samples = sample.lanes();
     const auto depths = depth.lanes();
     const auto colours = packed(red, green, blue, alpha).lanes();
-    for_each_lane(active, [&](int lane) {
+    for_each_lane(active, [&](int lane) LANESCOPE_INLINE_LAMBDA {
       const auto i = static_cast<std::size_t>(lane);
       sink->hit(sink->ids[i], static_cast<std::uint32_t>(samples[i]), depths[i],
                 static_cast<std::uint32_t>(colours[i]));
     });
-    if (sink->counting) count(active, *sink, samples);
+    if (sink->counting) count(active, *sink->counts, sample);
   }
 
  private:
@@ -90,15 +62,14 @@ struct FrameMerge {
     return r;
   }
 
-  template <int W, class Samples>
-  static void count(Mask<W> active, HitSink& sink, const Samples& samples) {
-    std::uint64_t conflicts = 0;
-    sink.conflicts.start();
-    for_each_lane(active, [&](int i) {
-      conflicts += sink.conflicts.seen(static_cast<std::uint32_t>(samples[static_cast<std::size_t>(i)]));
-    });
-    RasterizerCounts& counts = *sink.counts;
-    counts[kHits] += static_cast<std::uint64_t>(active.count());
+  template <int W>
+  LANESCOPE_INLINE static void count(Mask<W> active, RasterizerCounts& counts,
+                                     const Vec<std::int32_t, W>& sample) {
+    const int hits = active.count();
+    const auto packed_samples = isa::Compress::apply(active, active, sample);
+    const auto conflicts = static_cast<std::uint64_t>(
+        isa::Conflict::apply(Mask<W>::first_n(hits), packed_samples).count());
+    counts[kHits] += static_cast<std::uint64_t>(hits);
     counts[kProcessIssued] += 1;
     counts[kConflictInvocations] += conflicts != 0;
     counts[kConflictHits] += conflicts;

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 
-#include "simulator/base/error.h"
 #include "kernels/widths.h"
-#include "simulator/base/random.h"
+#include "simulator/base/error.h"
 
 namespace lanescope {
 
@@ -18,10 +17,6 @@ void merge(const Kernel& kernel, KernelResult& into, const KernelResult& from) {
     else
       into.counters[i] += from.counters[i];
   }
-}
-
-std::uint64_t hit_hash(std::uint64_t micropolygon_id, std::uint32_t sample) {
-  return mix64(micropolygon_id * 0xd6e8feb86659fd93u ^ sample);
 }
 
 std::span<const int> built_widths() { return kBuiltWidths; }

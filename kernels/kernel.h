@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernels/frame.h"
+#include "simulator/base/random.h"
 #include "simulator/counts.h"
 #include "simulator/mode.h"
 #include "workloads/micropolygon.h"
@@ -89,7 +90,9 @@ struct Kernel {
 };
 
 /// The contribution of one hit to KernelResult::hits_hash.
-std::uint64_t hit_hash(std::uint64_t micropolygon_id, std::uint32_t sample);
+inline std::uint64_t hit_hash(std::uint64_t micropolygon_id, std::uint32_t sample) {
+  return mix64(micropolygon_id * 0xd6e8feb86659fd93u ^ sample);
+}
 
 /// Every kernel, in the order of kernels/CMakeLists.txt.
 const std::vector<const Kernel*>& kernels();

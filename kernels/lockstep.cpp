@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "kernels/kernel.h"
 #include "kernels/counters.h"
+#include "kernels/kernel.h"
 #include "kernels/widths.h"
 
 namespace lanescope {

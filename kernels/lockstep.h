@@ -69,8 +69,8 @@ class Lockstep {
     Box<Vm> box;
     Lanes with_candidates;
     std::int32_t most_candidates;
-    Float inverse_area;                    ///< Triangles.
-    EdgeEquations<Vm, P> equations;        ///< Edges::kPrecomputed.
+    Float inverse_area;              ///< Triangles.
+    EdgeEquations<Vm, P> equations;  ///< Edges::kPrecomputed.
     Float shades[kCorners<P>][kShades];
   };
 
@@ -106,8 +106,7 @@ class Lockstep {
 
   template <class ProcessSite>
   LANESCOPE_INLINE void process(ProcessSite& site, Lanes hits, const Bounded& bounded,
-                                const EdgeValues<Vm, P>& values,
-                                const typename Vm::Int& sample) {
+                                const EdgeValues<Vm, P>& values, const typename Vm::Int& sample) {
     auto on = site.on(hits);
     const auto weights = corner_weights<Vm, P>(on, values, bounded.inverse_area);
     Float shade[kShades];

@@ -44,7 +44,7 @@ class Rastmp final : public Execution {
  private:
   static Corner corner(const Packet& packet, int k, int i) {
     const auto value = [&](Attribute a) { return packet.values(k, a)[i]; };
-    return {value(Attribute::kX),    value(Attribute::kY),    value(Attribute::kZ),
+    return {value(Attribute::kX),    value(Attribute::kY),     value(Attribute::kZ),
             value(Attribute::kRed),  value(Attribute::kGreen), value(Attribute::kBlue),
             value(Attribute::kAlpha)};
   }
@@ -106,8 +106,8 @@ class Rastmp final : public Execution {
     const float py = static_cast<float>(y) + grid_.jitter()[offset + 1];
     float edges[4] = {};
     for (int k = 0; k < n_; ++k)
-      edges[k] = options_.edges == Edges::kInline ? inline_edge(k, px, py)
-                                                  : precomputed_edge(k, px, py);
+      edges[k] =
+          options_.edges == Edges::kInline ? inline_edge(k, px, py) : precomputed_edge(k, px, py);
     if (!covers(edges)) return;
     ++counts_[kHits];
     hits_hash_ += hit_hash(id, sample);
@@ -164,7 +164,7 @@ class Rastmp final : public Execution {
       weights[3] = v - weights[2];
       weights[0] = (1.0f - u) - weights[3];
     }
-    const auto blend = [&](float Corner::* attribute) {
+    const auto blend = [&](float Corner::*attribute) {
       float sum = weights[0] * corners_[0].*attribute;
       for (int k = 1; k < n_; ++k) sum = std::fma(weights[k], corners_[k].*attribute, sum);
       return sum;

@@ -150,8 +150,8 @@ class Repack {
     }
     auto on = sites.loading.on(loaded);
     auto extra = on.overhead();
-    std::tie(lanes.first_column, lanes.last_column) = gather_pair(
-        extra, queue_.columns.memory(), place, lanes.first_column, lanes.last_column);
+    std::tie(lanes.first_column, lanes.last_column) =
+        gather_pair(extra, queue_.columns.memory(), place, lanes.first_column, lanes.last_column);
     lanes.at.column = move(extra, lanes.first_column, lanes.at.column);
     lanes.at.row = gather(extra, queue_.row.memory(), place, lanes.at.row);
     std::tie(lanes.micropolygon, lanes.remaining) = gather_pair(
@@ -181,14 +181,13 @@ class Repack {
     }
     if (coverage.any_on_edge) [[unlikely]]
       rule(sites, packet, lanes.micropolygon, coverage, positions, values);
-    if (coverage.any_inside)
-      compact(sites, active, coverage.inside, lanes.micropolygon, sample);
+    if (coverage.any_inside) compact(sites, active, coverage.inside, lanes.micropolygon, sample);
   }
 
   /// The fill rule for samples on edges; edge equations have not gathered all positions.
-  LANESCOPE_INLINE void rule(Sites& sites, const PacketMemory<P>& packet,
-                             const Int& micropolygon, Coverage<Vm>& coverage,
-                             Positions<Vm, P>& positions, const EdgeValues<Vm, P>& values) {
+  LANESCOPE_INLINE void rule(Sites& sites, const PacketMemory<P>& packet, const Int& micropolygon,
+                             Coverage<Vm>& coverage, Positions<Vm, P>& positions,
+                             const EdgeValues<Vm, P>& values) {
     if constexpr (kPrecomputed) {
       auto site = vm_.site(kTest);
       auto on = site.on(coverage.on_edge);
@@ -214,8 +213,8 @@ class Repack {
 
   /// *Process* of the last `count` hits of the queue. Edges are evaluated again: at full
   /// utilization that costs less than passing them through the queue under the mask of hits.
-  LANESCOPE_INLINE void process(Sites& sites, const PacketMemory<P>& packet,
-                                std::uint64_t first_id, int count) {
+  LANESCOPE_INLINE void process(Sites& sites, const PacketMemory<P>& packet, std::uint64_t first_id,
+                                int count) {
     hits_ -= count;
     auto on = sites.processing.on(Lanes::first_n(count));
     auto extra = on.overhead();
@@ -225,8 +224,7 @@ class Repack {
     const auto [px, py] = place_sample<Vm>(extra, convert_to_float(extra, column),
                                            convert_to_float(extra, row), sample, cells_);
     Positions<Vm, P> positions;
-    const auto values =
-        gathered_edges(extra, extra, packet, micropolygon, px, py, positions);
+    const auto values = gathered_edges(extra, extra, packet, micropolygon, px, py, positions);
     Float inverse_area;
     if constexpr (kTriangles)
       inverse_area = gather(extra, held_->inverse_area.memory(), micropolygon);
@@ -259,8 +257,7 @@ class Repack {
   LANESCOPE_INLINE EdgeValues<Vm, P> gathered_edges(Extra& extra, On& on,
                                                     const PacketMemory<P>& packet,
                                                     const Int& micropolygon, const Float& px,
-                                                    const Float& py,
-                                                    Positions<Vm, P>& positions) {
+                                                    const Float& py, Positions<Vm, P>& positions) {
     if constexpr (kPrecomputed) {
       const auto x = gather(extra, packet.x(0), micropolygon);
       const auto y = gather(extra, packet.y(0), micropolygon);

@@ -83,22 +83,21 @@ LANESCOPE_INLINE Batch<Vm, P> set_up(SetupSite& site, const PacketMemory<P>& pac
   return batch;
 }
 
-/// Number of the lanes in which the vector satisfies a predicate: bookkeeping, not an instruction.
-template <int W, class V, class F>
-std::uint64_t count_lanes(Mask<W> lanes, const V& vec, F&& predicate) {
-  std::uint64_t count = 0;
-  const auto values = detail::plain(vec).lanes();
-  for_each_lane(lanes, [&](int i) { count += predicate(values[static_cast<std::size_t>(i)]); });
-  return count;
-}
+// What follows is bookkeeping of the host, not instructions of the machine.
 
 /// Counts what *Setup* decided about a batch.
 template <class Vm, Micropolygon P>
-void count_batch(RasterizerCounts& counts, const Batch<Vm, P>& batch, typename Vm::Lanes valid) {
+LANESCOPE_INLINE void count_batch(RasterizerCounts& counts, const Batch<Vm, P>& batch,
+                                  typename Vm::Lanes valid) {
+  using Chunk = typename Vec<float, Vm::kWidth>::Chunk;
+  const auto& area = detail::plain(batch.area);
+  typename Vm::Lanes away;
+  host::unroll<kChunks<Vm::kWidth>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
+    away.chunk[c] = host::compare<host::Relation::kLess>(area.chunk[c], Chunk{});
+  });
   const auto seen = static_cast<std::uint64_t>(valid.count());
   const auto alive = static_cast<std::uint64_t>(batch.alive.count());
-  const std::uint64_t culled =
-      count_lanes(valid & ~batch.alive, batch.area, [](float area) { return area < 0.0f; });
+  const auto culled = static_cast<std::uint64_t>((away & valid).count());
   counts[kSeen] += seen;
   counts[kRasterized] += alive;
   counts[kCulled] += culled;
@@ -107,13 +106,20 @@ void count_batch(RasterizerCounts& counts, const Batch<Vm, P>& batch, typename V
 
 /// Counts what *Bound* decided about a batch.
 template <class Vm>
-void count_boxes(RasterizerCounts& counts, const Box<Vm>& box, typename Vm::Lanes alive) {
-  const auto candidates = detail::plain(box.candidates).lanes();
-  for_each_lane(alive, [&](int i) {
-    const auto n = static_cast<std::uint64_t>(candidates[static_cast<std::size_t>(i)]);
-    counts[kTests] += n;
-    counts[kOffScreen] += n == 0;
+LANESCOPE_INLINE void count_boxes(RasterizerCounts& counts, const Box<Vm>& box,
+                                  typename Vm::Lanes alive) {
+  using Ints = Vec<std::int32_t, Vm::kWidth>;
+  using Chunk = typename Ints::Chunk;
+  Ints candidates = detail::plain(box.candidates);
+  typename Vm::Lanes on_screen;
+  host::unroll<kChunks<Vm::kWidth>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
+    candidates.chunk[c] = host::blend(alive.chunk[c], candidates.chunk[c], Chunk{});
+    on_screen.chunk[c] = host::compare<host::Relation::kLess>(Chunk{}, candidates.chunk[c]);
   });
+  std::uint64_t tests = 0;
+  for (const std::int32_t n : candidates.lanes()) tests += static_cast<std::uint64_t>(n);
+  counts[kTests] += tests;
+  counts[kOffScreen] += static_cast<std::uint64_t>((alive & ~on_screen).count());
 }
 
 }  // namespace lanescope

@@ -101,8 +101,10 @@ struct Box {
 /// Largest (or smallest) coordinate of the corners.
 template <Micropolygon P, class Op, class On, class Float>
 LANESCOPE_INLINE Float extreme(const Op& op, On& on, const Float (&c)[kCorners<P>]) {
-  if constexpr (P == Micropolygon::kTriangle) return op(on, op(on, c[0], c[1]), c[2]);
-  else return op(on, op(on, op(on, c[0], c[1]), c[2]), c[3]);
+  if constexpr (P == Micropolygon::kTriangle)
+    return op(on, op(on, c[0], c[1]), c[2]);
+  else
+    return op(on, op(on, op(on, c[0], c[1]), c[2]), c[3]);
 }
 
 /// *Bound*: the bounding box (the thesis, 3.1).
@@ -212,8 +214,7 @@ LANESCOPE_INLINE EdgeEquations<Vm, P> edge_equations(On& on, const Positions<Vm,
 
 /// Edge functions from equations.
 template <class Vm, Micropolygon P, class On>
-LANESCOPE_INLINE EdgeValues<Vm, P> precomputed_edges(On& on,
-                                                     const EdgeEquations<Vm, P>& equations,
+LANESCOPE_INLINE EdgeValues<Vm, P> precomputed_edges(On& on, const EdgeEquations<Vm, P>& equations,
                                                      const typename Vm::Float& origin_x,
                                                      const typename Vm::Float& origin_y,
                                                      const typename Vm::Float& px,
@@ -223,8 +224,10 @@ LANESCOPE_INLINE EdgeValues<Vm, P> precomputed_edges(On& on,
   EdgeValues<Vm, P> values;
   host::unroll<kCorners<P>>([&](auto k) LANESCOPE_INLINE_LAMBDA {
     const auto along_y = [&] LANESCOPE_INLINE_LAMBDA {
-      if constexpr (k == 0 || k == kCorners<P> - 1) return mul(on, equations.b[k], y);
-      else return fma(on, equations.b[k], y, equations.c[k - 1]);
+      if constexpr (k == 0 || k == kCorners<P> - 1)
+        return mul(on, equations.b[k], y);
+      else
+        return fma(on, equations.b[k], y, equations.c[k - 1]);
     }();
     values.e[k] = fma(on, equations.a[k], x, along_y);
   });

@@ -42,8 +42,7 @@ class ProgramExecution final : public Execution {
   KernelResult result() const override {
     KernelResult result;
     result.counts = vm_.counts();
-    result.counters.assign(counts_.begin(),
-                           counts_.begin() + Program<Vm, P, E>::kCounterCount);
+    result.counters.assign(counts_.begin(), counts_.begin() + Program<Vm, P, E>::kCounterCount);
     result.hits_hash = sink_.hits_hash;
     return result;
   }
@@ -73,9 +72,12 @@ std::unique_ptr<Execution> start_program(Mode mode, const KernelOptions& options
                : with_edges.template operator()<M, Micropolygon::kQuad>();
   };
   switch (mode) {
-    case Mode::kCounting: return with_shape.template operator()<Mode::kCounting>();
-    case Mode::kChecked: return with_shape.template operator()<Mode::kChecked>();
-    case Mode::kUncounted: return with_shape.template operator()<Mode::kUncounted>();
+    case Mode::kCounting:
+      return with_shape.template operator()<Mode::kCounting>();
+    case Mode::kChecked:
+      return with_shape.template operator()<Mode::kChecked>();
+    case Mode::kUncounted:
+      return with_shape.template operator()<Mode::kUncounted>();
   }
   return nullptr;
 }

@@ -13,8 +13,10 @@ namespace lanescope::detail {
 /// What dead lanes of a checked machine hold.
 template <class T>
 constexpr T poison() {
-  if constexpr (std::is_floating_point_v<T>) return std::numeric_limits<T>::quiet_NaN();
-  else return static_cast<T>(0x7badbad1);
+  if constexpr (std::is_floating_point_v<T>)
+    return std::numeric_limits<T>::quiet_NaN();
+  else
+    return static_cast<T>(0x7badbad1);
 }
 
 [[noreturn]] void fail_dead_lane(const InstructionInfo& info, int operand, int lane,
@@ -28,8 +30,10 @@ constexpr T poison() {
 /// Whether an operand is one whose lanes the dead lanes of the result keep.
 template <class Op>
 constexpr bool is_rest(int position) {
-  if constexpr (requires { Op::kRest; }) return position >= Op::kRest;
-  else return false;
+  if constexpr (requires { Op::kRest; })
+    return position >= Op::kRest;
+  else
+    return false;
 }
 
 /// The lanes in which an instruction reads an operand: the active ones, unless its `reads()` knows
@@ -60,8 +64,10 @@ void check_memory(Mask<W> active, const std::source_location& at, const Operands
     if (element < 0 || element >= std::int64_t{memory.size})
       fail_bounds(Op::kInfo, lane, element, memory.size, memory.name, at);
     if (!memory.written) return;
-    if (is_store) memory.written[element] = 1;
-    else if (!memory.written[element]) fail_unwritten(Op::kInfo, lane, element, memory.name, at);
+    if (is_store)
+      memory.written[element] = 1;
+    else if (!memory.written[element])
+      fail_unwritten(Op::kInfo, lane, element, memory.name, at);
   };
   if constexpr (requires { Op::touch(active, check, operands...); })
     Op::touch(active, check, operands...);
@@ -109,19 +115,23 @@ CheckedVec<T, W> poisoned(Vec<T, W> vec, Mask<W> defined) {
 /// A result as the checked program sees it; pairs of vectors element by element.
 template <class R, int W>
 auto checked_result(const R& result, Mask<W> defined) {
-  if constexpr (kIsVec<R>) return poisoned(result, defined);
-  else if constexpr (requires { result.first; result.second; })
+  if constexpr (kIsVec<R>)
+    return poisoned(result, defined);
+  else if constexpr (requires {
+                       result.first;
+                       result.second;
+                     })
     return std::pair(poisoned(result.first, defined), poisoned(result.second, defined));
-  else return result;
+  else
+    return result;
 }
 
 /// Not inlined: a checked machine is for finding mistakes, and need not be fast to be built often.
 template <class Op, int W, class... Operands>
 [[gnu::noinline]] auto execute_checked(Mask<W> active, const std::source_location& at,
-                     const Operands&... operands) {
+                                       const Operands&... operands) {
   [[maybe_unused]] int position = 0;
-  ((check_operand<Op>(lanes_read<Op>(position, active, plain(operands)...), position, operands,
-                      at),
+  ((check_operand<Op>(lanes_read<Op>(position, active, plain(operands)...), position, operands, at),
     ++position),
    ...);
   check_memory<Op>(active, at, plain(operands)...);

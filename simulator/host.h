@@ -54,7 +54,7 @@ struct Element {
   static constexpr int kLanes = static_cast<int>(sizeof(V) / sizeof(type));
 };
 template <class V>
-  requires std::is_arithmetic_v<V>
+requires std::is_arithmetic_v<V>
 struct Element<V> {
   using type = V;
   static constexpr int kLanes = 1;
@@ -71,7 +71,7 @@ struct Rebound {
   using type = Chunk<U, kLanes<V>>;
 };
 template <class V, class U>
-  requires std::is_arithmetic_v<V>
+requires std::is_arithmetic_v<V>
 struct Rebound<V, U> {
   using type = U;
 };
@@ -81,7 +81,8 @@ using Rebind = typename Rebound<V, U>::type;
 template <class V>
 concept Scalar = std::is_arithmetic_v<V>;
 template <class V>
-concept Floats = std::same_as<ElementOf<V>, float>;
+concept Floats = std::same_as < ElementOf<V>,
+float > ;
 template <class V>
 concept Integers = std::integral<ElementOf<V>>;
 
@@ -90,7 +91,8 @@ template <int N, class F>
 LANESCOPE_INLINE void unroll(F&& f) {
   [&]<int... I>(std::integer_sequence<int, I...>) LANESCOPE_INLINE_LAMBDA {
     (f(std::integral_constant<int, I>{}), ...);
-  }(std::make_integer_sequence<int, N>{});
+  }
+  (std::make_integer_sequence<int, N>{});
 }
 
 /// Applies a scalar function lane by lane.
@@ -114,8 +116,10 @@ LANESCOPE_INLINE Rebind<V, U> bits_as(V v) {
 /// A view of integers as unsigned, in which arithmetic wraps; floats stay as they are.
 template <class V>
 LANESCOPE_INLINE auto wrapping(V v) {
-  if constexpr (Floats<V>) return v;
-  else return bits_as<std::uint32_t>(v);
+  if constexpr (Floats<V>)
+    return v;
+  else
+    return bits_as<std::uint32_t>(v);
 }
 /// The inverse of wrapping().
 template <class V, class U>
@@ -137,24 +141,31 @@ template <int N>
 LANESCOPE_INLINE Chunk<std::int32_t, N> iota(int first) {
   return [&]<int... I>(std::integer_sequence<int, I...>) LANESCOPE_INLINE_LAMBDA {
     return Chunk<std::int32_t, N>{(first + I)...};
-  }(std::make_integer_sequence<int, N>{});
+  }
+  (std::make_integer_sequence<int, N>{});
 }
 
 // Picks the host instruction of the chunk's size; chunks of other hosts go lane by lane.
 #ifdef LANESCOPE_AVX512
-#define LANESCOPE_HOST_FLOAT(name, ...)                                              \
-  if constexpr (sizeof(V) == 64) return (V)_mm512_##name##_ps(__VA_ARGS__);          \
-  else if constexpr (sizeof(V) == 32) return (V)_mm256_##name##_ps(__VA_ARGS__);     \
-  else if constexpr (sizeof(V) == 16) return (V)_mm_##name##_ps(__VA_ARGS__);        \
+#define LANESCOPE_HOST_FLOAT(name, ...)        \
+  if constexpr (sizeof(V) == 64)               \
+    return (V)_mm512_##name##_ps(__VA_ARGS__); \
+  else if constexpr (sizeof(V) == 32)          \
+    return (V)_mm256_##name##_ps(__VA_ARGS__); \
+  else if constexpr (sizeof(V) == 16)          \
+    return (V)_mm_##name##_ps(__VA_ARGS__);    \
   else
 #elif defined(__AVX2__)
-#define LANESCOPE_HOST_FLOAT(name, ...)                                              \
-  if constexpr (sizeof(V) == 32) return (V)_mm256_##name##_ps(__VA_ARGS__);          \
-  else if constexpr (sizeof(V) == 16) return (V)_mm_##name##_ps(__VA_ARGS__);        \
+#define LANESCOPE_HOST_FLOAT(name, ...)        \
+  if constexpr (sizeof(V) == 32)               \
+    return (V)_mm256_##name##_ps(__VA_ARGS__); \
+  else if constexpr (sizeof(V) == 16)          \
+    return (V)_mm_##name##_ps(__VA_ARGS__);    \
   else
 #elif defined(__SSE4_2__)
-#define LANESCOPE_HOST_FLOAT(name, ...)                                              \
-  if constexpr (sizeof(V) == 16) return (V)_mm_##name##_ps(__VA_ARGS__);             \
+#define LANESCOPE_HOST_FLOAT(name, ...)     \
+  if constexpr (sizeof(V) == 16)            \
+    return (V)_mm_##name##_ps(__VA_ARGS__); \
   else
 #else
 #define LANESCOPE_HOST_FLOAT(name, ...)
@@ -231,7 +242,9 @@ LANESCOPE_INLINE V fma(V a, V b, V c) {
 #ifdef __FMA__
     LANESCOPE_HOST_FLOAT(fmadd, a, b, c)
 #endif
-    { return map<V>(lane, a, b, c); }
+    {
+      return map<V>(lane, a, b, c);
+    }
   }
 }
 
@@ -274,8 +287,10 @@ LANESCOPE_INLINE Rebind<V, std::uint32_t> to_uint(V a) {
 /// Rounds an integer to the nearest float.
 template <Integers V>
 LANESCOPE_INLINE Rebind<V, float> to_float(V a) {
-  if constexpr (Scalar<V>) return static_cast<float>(a);
-  else return __builtin_convertvector(a, Rebind<V, float>);
+  if constexpr (Scalar<V>)
+    return static_cast<float>(a);
+  else
+    return __builtin_convertvector(a, Rebind<V, float>);
 }
 
 template <Integers V>
@@ -283,7 +298,8 @@ LANESCOPE_INLINE V popcount(V a) {
 #if defined(LANESCOPE_AVX512) && defined(__AVX512VPOPCNTDQ__)
   if constexpr (sizeof(V) == 64) return (V)_mm512_popcnt_epi32((__m512i)a);
 #endif
-  return map<V>([](auto x) { return decltype(x)(std::popcount(static_cast<std::uint32_t>(x))); }, a);
+  return map<V>([](auto x) { return decltype(x)(std::popcount(static_cast<std::uint32_t>(x))); },
+                a);
 }
 
 /// Number of set bits; the compiler's own would narrow the operand and then widen the result.
@@ -318,7 +334,8 @@ template <int N>
 LANESCOPE_INLINE Chunk<std::int32_t, N> expand_bits(ChunkBits bits) {
 #ifdef LANESCOPE_AVX512
   if constexpr (N == 16) return (Chunk<std::int32_t, N>)_mm512_movm_epi32(bits);
-  if constexpr (N == 8) return (Chunk<std::int32_t, N>)_mm256_movm_epi32(static_cast<__mmask8>(bits));
+  if constexpr (N == 8)
+    return (Chunk<std::int32_t, N>)_mm256_movm_epi32(static_cast<__mmask8>(bits));
 #endif
   const auto bit = broadcast<Chunk<std::uint32_t, N>>(1u) << (Chunk<std::uint32_t, N>)iota<N>(0);
   return (bit & std::uint32_t{bits}) != 0;
@@ -343,10 +360,14 @@ enum class Relation { kEqual, kNotEqual, kLess, kLessEqual };
 /// Whether the relation holds; false for not-a-number except kNotEqual, as in C++.
 template <Relation R, class V>
 LANESCOPE_INLINE auto relate(V a, V b) {
-  if constexpr (R == Relation::kEqual) return a == b;
-  else if constexpr (R == Relation::kNotEqual) return a != b;
-  else if constexpr (R == Relation::kLess) return a < b;
-  else return a <= b;
+  if constexpr (R == Relation::kEqual)
+    return a == b;
+  else if constexpr (R == Relation::kNotEqual)
+    return a != b;
+  else if constexpr (R == Relation::kLess)
+    return a < b;
+  else
+    return a <= b;
 }
 
 /// The lanes in which the relation holds.
@@ -363,14 +384,20 @@ LANESCOPE_INLINE ChunkBits compare(V a, V b) {
                                                       : _MM_CMPINT_LE;
   using T = ElementOf<V>;
   if constexpr (sizeof(V) == 64) {
-    if constexpr (Floats<V>) return _mm512_cmp_ps_mask(a, b, kFloat);
-    else if constexpr (std::is_signed_v<T>) return _mm512_cmp_epi32_mask((__m512i)a, (__m512i)b, kInteger);
-    else return _mm512_cmp_epu32_mask((__m512i)a, (__m512i)b, kInteger);
+    if constexpr (Floats<V>)
+      return _mm512_cmp_ps_mask(a, b, kFloat);
+    else if constexpr (std::is_signed_v<T>)
+      return _mm512_cmp_epi32_mask((__m512i)a, (__m512i)b, kInteger);
+    else
+      return _mm512_cmp_epu32_mask((__m512i)a, (__m512i)b, kInteger);
   }
   if constexpr (sizeof(V) == 32) {
-    if constexpr (Floats<V>) return _mm256_cmp_ps_mask(a, b, kFloat);
-    else if constexpr (std::is_signed_v<T>) return _mm256_cmp_epi32_mask((__m256i)a, (__m256i)b, kInteger);
-    else return _mm256_cmp_epu32_mask((__m256i)a, (__m256i)b, kInteger);
+    if constexpr (Floats<V>)
+      return _mm256_cmp_ps_mask(a, b, kFloat);
+    else if constexpr (std::is_signed_v<T>)
+      return _mm256_cmp_epi32_mask((__m256i)a, (__m256i)b, kInteger);
+    else
+      return _mm256_cmp_epu32_mask((__m256i)a, (__m256i)b, kInteger);
   }
 #endif
   return collect_bits<kLanes<V>>((Chunk<std::int32_t, kLanes<V>>)relate<R>(a, b));
@@ -414,8 +441,8 @@ LANESCOPE_INLINE void store(ChunkBits bits, ElementOf<V>* base, V v) {
 
 /// Loads base[Stride * index] in the lanes of `bits`; the others keep `rest`.
 template <int Stride, class V>
-LANESCOPE_INLINE V gather(ChunkBits bits, const ElementOf<V>* base,
-                          Rebind<V, std::int32_t> index, V rest) {
+LANESCOPE_INLINE V gather(ChunkBits bits, const ElementOf<V>* base, Rebind<V, std::int32_t> index,
+                          V rest) {
 #ifdef LANESCOPE_AVX512
   if constexpr (sizeof(V) == 64)
     return (V)_mm512_mask_i32gather_epi32((__m512i)rest, bits, (__m512i)index, base, 4 * Stride);
@@ -441,6 +468,44 @@ LANESCOPE_INLINE void scatter(ChunkBits bits, ElementOf<V>* base, Rebind<V, std:
 #endif
   for (int i = 0; i < kLanes<V>; ++i)
     if (bits >> i & 1) base[Stride * static_cast<std::ptrdiff_t>(index[i])] = v[i];
+}
+
+/// Stores the lanes of `bits` side by side to base[0], base[1] ... and returns how many; what
+/// follows them, up to a whole chunk, is overwritten.
+template <class V>
+LANESCOPE_INLINE int pack(ChunkBits bits, ElementOf<V>* base, V v) {
+#ifdef LANESCOPE_AVX512
+  if constexpr (sizeof(V) == 64) {
+    _mm512_storeu_si512(base, _mm512_maskz_compress_epi32(bits, (__m512i)v));
+    return count_bits(bits);
+  }
+  if constexpr (sizeof(V) == 32) {
+    _mm256_storeu_si256((__m256i*)base,
+                        _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), (__m256i)v));
+    return count_bits(bits);
+  }
+#endif
+  int packed = 0;
+  for (int i = 0; i < kLanes<V>; ++i)
+    if (bits >> i & 1) base[packed++] = v[i];
+  return packed;
+}
+
+/// The lanes of `bits` that equal an earlier lane of `bits`.
+template <Integers V>
+LANESCOPE_INLINE ChunkBits conflicts(ChunkBits bits, V v) {
+#if defined(LANESCOPE_AVX512) && defined(__AVX512CD__)
+  if constexpr (sizeof(V) == 64)
+    return _mm512_mask_test_epi32_mask(bits, _mm512_conflict_epi32((__m512i)v),
+                                       _mm512_set1_epi32(bits));
+#endif
+  unsigned found = 0;
+  for (int i = 1; i < kLanes<V>; ++i) {
+    const unsigned earlier = bits & ((1u << i) - 1);
+    const auto equal = compare<Relation::kEqual>(v, broadcast<V>(v[i]));
+    found |= static_cast<unsigned>((earlier & equal) != 0) << i;
+  }
+  return static_cast<ChunkBits>(found & bits);
 }
 
 #undef LANESCOPE_HOST_FLOAT

@@ -13,7 +13,18 @@ enum class Charge {
   kOneLane,      ///< One lane.
 };
 
-enum class InstructionClass { kArithmetic, kInteger, kCompare, kConvert, kMove, kMask, kMemory, kReduce, kScan, kSpecial };
+enum class InstructionClass {
+  kArithmetic,
+  kInteger,
+  kCompare,
+  kConvert,
+  kMove,
+  kMask,
+  kMemory,
+  kReduce,
+  kScan,
+  kSpecial
+};
 
 /// The descriptor that every instruction struct carries as `kInfo`; its address identifies the
 /// instruction, its mnemonic names it in reports and must be unique.

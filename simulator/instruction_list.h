@@ -16,8 +16,8 @@ struct InstructionList {
 namespace isa {
 
 using InstructionSet = InstructionList<
-    struct Add, struct Sub, struct Mul, struct Div, struct Fma, struct Neg, struct Abs,
-    struct Min, struct Max, struct Sqrt, struct Rcp, struct Floor, struct Ceil,
+    struct Add, struct Sub, struct Mul, struct Div, struct Fma, struct Neg, struct Abs, struct Min,
+    struct Max, struct Sqrt, struct Rcp, struct Floor, struct Ceil,
     //
     struct BitAnd, struct BitOr, struct BitXor, struct BitAndnot, struct BitNot, struct Shl,
     struct Shr, struct Rotl, struct Popcount, struct Clz, struct Ctz,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The instruction set: every instruction that the machine comes with, and their descriptors. This is
-// the header that programs include.
+// The instruction set: every instruction that the machine comes with, and their descriptors. This
+// is the header that programs include.
 #pragma once
 
 #include <span>

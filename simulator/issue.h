@@ -13,7 +13,8 @@
 // and `inline constexpr Instruction<Op> op;` makes it callable: op(block, operands...). A scalar
 // operand of `lane` and `holds` is the vector-scalar form of the instruction. Dead lanes of a
 // result hold nothing to rely on, unless the struct says `static constexpr int kRest = n`: then
-// they keep those of operands n and up (from 0), if given. What else a struct can say is in checks.h.
+// they keep those of operands n and up (from 0), if given. What else a struct can say is in
+// checks.h.
 #pragma once
 
 #include <source_location>
@@ -60,8 +61,10 @@ struct FirstElement<> {
 
 template <class Chunk, class Operand>
 LANESCOPE_INLINE auto chunk_of(const Operand& operand, int c) {
-  if constexpr (kIsVec<Operand>) return operand.chunk[c];
-  else return host::broadcast<Chunk>(static_cast<host::ElementOf<Chunk>>(operand));
+  if constexpr (kIsVec<Operand>)
+    return operand.chunk[c];
+  else
+    return host::broadcast<Chunk>(static_cast<host::ElementOf<Chunk>>(operand));
 }
 
 /// lane() on chunks where it takes them, else lane by lane.
@@ -72,8 +75,8 @@ LANESCOPE_INLINE auto apply_lanes(Chunks... chunks) {
   } else {
     using R = decltype(Op::lane(chunks[0]...));
     using First = std::tuple_element_t<0, std::tuple<Chunks...>>;
-    return host::map<host::Rebind<First, R>>(
-        [](auto... lanes) { return Op::lane(lanes...); }, chunks...);
+    return host::map<host::Rebind<First, R>>([](auto... lanes) { return Op::lane(lanes...); },
+                                             chunks...);
   }
 }
 
@@ -120,8 +123,10 @@ LANESCOPE_INLINE auto execute([[maybe_unused]] Mask<W> active, const Operands&..
 
 template <class Operand>
 LANESCOPE_INLINE const auto& plain(const Operand& operand) {
-  if constexpr (kIsChecked<Operand>) return operand.vec;
-  else return operand;
+  if constexpr (kIsChecked<Operand>)
+    return operand.vec;
+  else
+    return operand;
 }
 
 }  // namespace detail

@@ -49,8 +49,10 @@ class LaneCounter {
 
   template <int G>
   LANESCOPE_INLINE static std::uint32_t bits_of_group(Mask<W> active) {
-    if constexpr (kChunksInGroup == 1) return active.chunk[G];
-    else return active.template pair_bits<G>();
+    if constexpr (kChunksInGroup == 1)
+      return active.chunk[G];
+    else
+      return active.template pair_bits<G>();
   }
 
   LANESCOPE_INLINE static Group increment(Group counts, std::uint32_t bits) {

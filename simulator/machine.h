@@ -9,8 +9,8 @@
 //     const auto e = sub(on, mul(on, ax, by), mul(on, ay, bx));
 //   }
 //
-// Counting happens when a block ends. A block keeps a list of what it has issued, and a signature of
-// the list; in straight-line code the compiler folds both to constants, and all that runs is:
+// Counting happens when a block ends. A block keeps a list of what it has issued, and a signature
+// of the list; in straight-line code the compiler folds both to constants, and all that runs is:
 // compare the signature with the site's, increment the histogram of active lanes, add the mask to
 // the lanes' counts. When the signature differs (the first execution, another path through a block
 // with branches) the list itself is handed to the Tally, so counts are exact always.
@@ -187,8 +187,10 @@ class Block {
   LANESCOPE_INLINE void end() {
     if constexpr (M != Mode::kUncounted) {
       if (signature_ == 0) return;
-      if (site_.signature_ != signature_) [[unlikely]] switch_list();
-      if (--site_.budget_ < 0) [[unlikely]] site_.renew();
+      if (site_.signature_ != signature_) [[unlikely]]
+        switch_list();
+      if (--site_.budget_ < 0) [[unlikely]]
+        site_.renew();
       site_.executed(active_);
     }
   }
@@ -221,7 +223,7 @@ class Block {
 
 /// A vector machine of width W. Not thread-safe; counts of several machines merge by addition.
 template <int W, Mode M>
-  requires Width<W>
+requires Width<W>
 class Machine {
  public:
   static constexpr int kWidth = W;

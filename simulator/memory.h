@@ -30,9 +30,7 @@ struct Memory {
   }
 
   /// A view for reading only.
-  operator Memory<const T>() const
-    requires(!std::is_const_v<T>)
-  {
+  operator Memory<const T>() const requires(!std::is_const_v<T>) {
     return {data, size, name, written};
   }
 };

@@ -14,9 +14,12 @@ enum class Mode {
 
 constexpr std::string_view to_string(Mode mode) {
   switch (mode) {
-    case Mode::kCounting: return "counting";
-    case Mode::kChecked: return "checked";
-    case Mode::kUncounted: return "uncounted";
+    case Mode::kCounting:
+      return "counting";
+    case Mode::kChecked:
+      return "checked";
+    case Mode::kUncounted:
+      return "uncounted";
   }
   return {};
 }

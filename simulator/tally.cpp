@@ -11,9 +11,12 @@ namespace {
 
 std::uint64_t charged(Charge charge, std::uint64_t executions, std::uint64_t active, int width) {
   switch (charge) {
-    case Charge::kActiveLanes: return active;
-    case Charge::kAllLanes: return executions * static_cast<std::uint64_t>(width);
-    case Charge::kOneLane: return executions;
+    case Charge::kActiveLanes:
+      return active;
+    case Charge::kAllLanes:
+      return executions * static_cast<std::uint64_t>(width);
+    case Charge::kOneLane:
+      return executions;
   }
   return 0;
 }
@@ -27,7 +30,8 @@ void for_each_issued(const IssueList& list, F&& f) {
     if (const auto times = list.baseline[i / 4] >> shift & 0xffff) f(*infos[i], times, false);
     if (const auto times = list.overhead[i / 4] >> shift & 0xffff) f(*infos[i], times, true);
   }
-  for (int i = 0; i < list.foreign_count; ++i) f(*list.foreign[i].info, 1, list.foreign[i].overhead);
+  for (int i = 0; i < list.foreign_count; ++i)
+    f(*list.foreign[i].info, 1, list.foreign[i].overhead);
 }
 
 }  // namespace

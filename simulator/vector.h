@@ -26,7 +26,7 @@ constexpr std::uint64_t low_bits(int n) {
 
 /// Which lanes are on. A set of bits outside; inside in the host's form, a register for each chunk.
 template <int W>
-  requires Width<W>
+requires Width<W>
 class Mask {
  public:
   Mask() = default;
@@ -36,8 +36,8 @@ class Mask {
     Mask mask;
     bits &= low_bits(W);
     host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-      mask.chunk[c] = static_cast<host::ChunkBits>(bits >> (c * kChunkLanes<W>) &
-                                                   low_bits(kChunkLanes<W>));
+      mask.chunk[c] =
+          static_cast<host::ChunkBits>(bits >> (c * kChunkLanes<W>)&low_bits(kChunkLanes<W>));
     });
     return mask;
   }
@@ -105,7 +105,7 @@ LANESCOPE_INLINE void for_each_lane(Mask<W> active, F&& f) {
 
 /// W lanes of float, std::int32_t or std::uint32_t.
 template <class T, int W>
-  requires Width<W>
+requires Width<W>
 struct Vec {
   using Element = T;
   using Chunk = host::Chunk<T, kChunkLanes<W>>;
@@ -132,9 +132,8 @@ struct Vec {
   }
   LANESCOPE_INLINE static Vec broadcast(T value) {
     Vec v;
-    host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-      v.chunk[c] = host::broadcast<Chunk>(value);
-    });
+    host::unroll<kChunks<W>>(
+        [&](auto c) LANESCOPE_INLINE_LAMBDA { v.chunk[c] = host::broadcast<Chunk>(value); });
     return v;
   }
 };

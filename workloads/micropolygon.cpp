@@ -24,6 +24,14 @@ void Packet::append(const Vertex* corners) {
   ++size_;
 }
 
+Packet Packet::clone() const {
+  Packet copy(shape_, capacity_);
+  copy.first_id = first_id;
+  copy.size_ = size_;
+  std::copy_n(data_.get(), offset(corner_count(shape_), Attribute::kX), copy.data_.get());
+  return copy;
+}
+
 void Packet::clear(std::uint64_t next_first_id) {
   std::fill_n(data_.get(), offset(corner_count(shape_), Attribute::kX), 0.0f);
   size_ = 0;

@@ -64,6 +64,9 @@ class Packet {
   /// Appends a micropolygon; `corners` points to corner_count(shape()) vertices. Requires !full().
   void append(const Vertex* corners);
 
+  /// A copy, for those who keep packets; copies are too large to be made unawares.
+  Packet clone() const;
+
   /// Empties the packet (and zeroes it); the next packet starts at id `next_first_id`.
   void clear(std::uint64_t next_first_id);
 

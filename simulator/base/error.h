@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The two kinds of failure. InputError is the user's: an option, a file, a mesh; its text begins
-// with where. CheckError is ours: an internal invariant or a kernel that breaks the machine's rules.
-// Libraries throw; only the command line prints and exits.
+// with where. CheckError is ours: an internal invariant or a kernel that breaks the machine's
+// rules. Libraries throw; only the command line prints and exits.
 #pragma once
 
 #include <fmt/format.h>
@@ -46,7 +46,7 @@ namespace detail {
 
 /// Throws CheckError with file, line, the condition and the formatted values when it is false.
 /// Never switched off.
-#define LANESCOPE_CHECK(condition, ...)                                                   \
-  (static_cast<bool>(condition) ? void(0)                                                 \
+#define LANESCOPE_CHECK(condition, ...)                                                           \
+  (static_cast<bool>(condition) ? void(0)                                                         \
                                 : ::lanescope::detail::fail_check(__FILE__, __LINE__, #condition, \
                                                                   ::fmt::format(__VA_ARGS__)))

@@ -79,8 +79,7 @@ struct Abs {
     return host::bits_as<float>(host::bits_as<std::uint32_t>(a) & 0x7fffffffu);
   }
   template <class V>
-    requires std::same_as<host::ElementOf<V>, std::int32_t>
-  LANESCOPE_INLINE static V lane(V a) {
+  requires std::same_as<host::ElementOf<V>, std::int32_t> LANESCOPE_INLINE static V lane(V a) {
     return host::max(a, host::wrapped<V>(-host::wrapping(a)));
   }
 };

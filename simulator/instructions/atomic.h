@@ -9,8 +9,8 @@ namespace lanescope::isa {
 namespace detail_atomic {
 
 template <int W, class T, class F>
-void update(Mask<W> active, Memory<T> memory, const Vec<std::int32_t, W>& index,
-            const Vec<T, W>& v, F&& f) {
+void update(Mask<W> active, Memory<T> memory, const Vec<std::int32_t, W>& index, const Vec<T, W>& v,
+            F&& f) {
   for_each_lane(active, [&](int i) {
     T& element = memory.data[index[i]];
     element = f(element, v[i]);

@@ -63,8 +63,7 @@ inline constexpr Instruction<BitsToFloat> bits_to_float;
 struct Broadcast {
   static constexpr InstructionInfo kInfo{"broadcast", "r[i] = s", InstructionClass::kMove};
   template <int W, class T>
-    requires std::is_arithmetic_v<T>
-  LANESCOPE_INLINE static Vec<T, W> apply(Mask<W>, T s) {
+  requires std::is_arithmetic_v<T> LANESCOPE_INLINE static Vec<T, W> apply(Mask<W>, T s) {
     return Vec<T, W>::broadcast(s);
   }
 };
@@ -88,8 +87,10 @@ struct Select {
   static constexpr InstructionInfo kInfo{"select", "r[i] = chosen[i] ? a[i] : b[i]",
                                          InstructionClass::kMove};
   template <int W, class A, class B>
-    requires detail::kIsVec<A> || detail::kIsVec<B>
-  LANESCOPE_INLINE static auto apply(Mask<W>, Mask<W> chosen, const A& a, const B& b) {
+  requires detail::kIsVec<A> || detail::kIsVec<B> LANESCOPE_INLINE static auto apply(Mask<W>,
+                                                                                     Mask<W> chosen,
+                                                                                     const A& a,
+                                                                                     const B& b) {
     using R = typename detail::FirstElement<A, B>::type;
     R r;
     host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {

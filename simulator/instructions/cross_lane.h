@@ -43,13 +43,16 @@ struct Compress {
   static constexpr InstructionInfo kInfo{"compress", "selected lanes of a, moved to the front",
                                          InstructionClass::kScan};
   template <int W, class T>
-  static Vec<T, W> apply(Mask<W> active, Mask<W> selected, const Vec<T, W>& a) {
-    const auto from = a.lanes();
-    std::array<T, W> to{};
-    std::size_t next = 0;
-    for_each_lane(active & selected,
-                  [&](int i) { to[next++] = from[static_cast<std::size_t>(i)]; });
-    return Vec<T, W>::from_lanes(to);
+  LANESCOPE_INLINE static Vec<T, W> apply(Mask<W> active, Mask<W> selected, const Vec<T, W>& a) {
+    const Mask<W> moved = active & selected;
+    alignas(64) T to[(kChunks<W> + 1) * kChunkLanes<W>];
+    T* next = to;
+    host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
+      next += host::pack(moved.chunk[c], next, a.chunk[c]);
+    });
+    Vec<T, W> r;
+    std::memcpy(r.chunk, to, sizeof r.chunk);
+    return r;
   }
   template <int W, class T>
   static Mask<W> reads(int, Mask<W> active, Mask<W> selected, const Vec<T, W>&) {
@@ -208,19 +211,30 @@ struct ExclusiveScan {
 inline constexpr Instruction<ExclusiveScan> exclusive_scan;
 
 struct Conflict {
-  static constexpr InstructionInfo kInfo{
-      "conflict", "m[i] = some active j < i has a[j] == a[i]", InstructionClass::kScan};
+  static constexpr InstructionInfo kInfo{"conflict", "m[i] = some active j < i has a[j] == a[i]",
+                                         InstructionClass::kScan};
   template <int W, host::Integers T>
-  static Mask<W> apply(Mask<W> active, const Vec<T, W>& a) {
+  LANESCOPE_INLINE static Mask<W> apply(Mask<W> active, const Vec<T, W>& a) {
+    using Chunk = typename Vec<T, W>::Chunk;
     const auto lanes = a.lanes();
-    std::uint64_t bits = 0;
-    for_each_lane(active, [&](int i) {
-      for_each_lane(active & Mask<W>::first_n(i), [&](int j) {
-        if (lanes[static_cast<std::size_t>(i)] == lanes[static_cast<std::size_t>(j)])
-          bits |= std::uint64_t{1} << i;
-      });
+    Mask<W> result;
+    host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
+      unsigned bits = host::conflicts(active.chunk[c], a.chunk[c]);
+      if constexpr (c > 0) {
+        for (unsigned left = active.chunk[c] & ~bits; left != 0; left &= left - 1) {
+          const int i = std::countr_zero(left);
+          const auto key =
+              host::broadcast<Chunk>(lanes[static_cast<std::size_t>(c * kChunkLanes<W> + i)]);
+          unsigned equal = 0;
+          host::unroll<c>([&](auto d) LANESCOPE_INLINE_LAMBDA {
+            equal |= active.chunk[d] & host::compare<host::Relation::kEqual>(a.chunk[d], key);
+          });
+          bits |= static_cast<unsigned>(equal != 0) << i;
+        }
+      }
+      result.chunk[c] = static_cast<host::ChunkBits>(bits);
     });
-    return Mask<W>::from_bits(bits);
+    return result;
   }
 };
 inline constexpr Instruction<Conflict> conflict;

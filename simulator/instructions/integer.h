@@ -56,8 +56,7 @@ struct BitNot {
 inline constexpr Instruction<BitNot> bit_not;
 
 struct Shl {
-  static constexpr InstructionInfo kInfo{"shl", "r[i] = a[i] << b[i]",
-                                         InstructionClass::kInteger};
+  static constexpr InstructionInfo kInfo{"shl", "r[i] = a[i] << b[i]", InstructionClass::kInteger};
   template <host::Integers V>
   LANESCOPE_INLINE static V lane(V a, V b) {
     return host::wrapped<V>(host::wrapping(a) << (host::wrapping(b) & 31u));
@@ -66,8 +65,8 @@ struct Shl {
 inline constexpr Instruction<Shl> shl;
 
 struct Shr {
-  static constexpr InstructionInfo kInfo{
-      "shr", "r[i] = a[i] >> b[i], keeping the sign of int32", InstructionClass::kInteger};
+  static constexpr InstructionInfo kInfo{"shr", "r[i] = a[i] >> b[i], keeping the sign of int32",
+                                         InstructionClass::kInteger};
   template <host::Integers V>
   LANESCOPE_INLINE static V lane(V a, V b) {
     return a >> (b & 31);
@@ -101,7 +100,9 @@ inline constexpr Instruction<Popcount> popcount;
 struct Clz {
   static constexpr InstructionInfo kInfo{"clz", "r[i] = number of leading zero bits of a[i]",
                                          InstructionClass::kInteger};
-  static std::uint32_t lane(std::uint32_t a) { return static_cast<std::uint32_t>(std::countl_zero(a)); }
+  static std::uint32_t lane(std::uint32_t a) {
+    return static_cast<std::uint32_t>(std::countl_zero(a));
+  }
   static std::int32_t lane(std::int32_t a) { return std::countl_zero(host::wrapping(a)); }
 };
 inline constexpr Instruction<Clz> clz;
@@ -110,7 +111,9 @@ inline constexpr Instruction<Clz> clz;
 struct Ctz {
   static constexpr InstructionInfo kInfo{"ctz", "r[i] = number of trailing zero bits of a[i]",
                                          InstructionClass::kInteger};
-  static std::uint32_t lane(std::uint32_t a) { return static_cast<std::uint32_t>(std::countr_zero(a)); }
+  static std::uint32_t lane(std::uint32_t a) {
+    return static_cast<std::uint32_t>(std::countr_zero(a));
+  }
   static std::int32_t lane(std::int32_t a) { return std::countr_zero(host::wrapping(a)); }
 };
 inline constexpr Instruction<Ctz> ctz;

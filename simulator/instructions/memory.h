@@ -59,8 +59,8 @@ struct Load {
       Mask<W> active, Memory<T> memory, std::int64_t offset,
       Vec<std::remove_const_t<T>, W> rest = detail_memory::zero<T, W>()) {
     host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-      rest.chunk[c] = host::load(active.chunk[c], memory.data + offset + c * kChunkLanes<W>,
-                                 rest.chunk[c]);
+      rest.chunk[c] =
+          host::load(active.chunk[c], memory.data + offset + c * kChunkLanes<W>, rest.chunk[c]);
     });
     return rest;
   }
@@ -174,9 +174,8 @@ inline constexpr Instruction<GatherPair> gather_pair;
 
 /// scatter_pair(on, memory, index, v, w); in lane order.
 struct ScatterPair {
-  static constexpr InstructionInfo kInfo{"scatter_pair",
-                                         "record index[i] of two words = (v[i], w[i])",
-                                         InstructionClass::kMemory};
+  static constexpr InstructionInfo kInfo{
+      "scatter_pair", "record index[i] of two words = (v[i], w[i])", InstructionClass::kMemory};
   template <int W, class T>
   LANESCOPE_INLINE static void apply(Mask<W> active, Memory<T> memory,
                                      const Vec<std::int32_t, W>& index, const Vec<T, W>& v,

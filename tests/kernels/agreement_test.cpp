@@ -26,21 +26,8 @@ struct SmallScene {
     options.packet_capacity = 200;  // a multiple of no width but 8 and 40
     const Tessellator tessellator(scene, options);
     for (int segment = 0; segment < tessellator.segment_count(); ++segment)
-      tessellator.tessellate(segment, [&](const Packet& packet) { keep(packet); });
-  }
-
-  void keep(const Packet& packet) {
-    Packet copy(packet.shape(), packet.capacity());
-    copy.first_id = packet.first_id;
-    for (int i = 0; i < packet.size(); ++i) {
-      Vertex corners[4];
-      for (int k = 0; k < corner_count(packet.shape()); ++k)
-        for (int a = 0; a < kAttributeCount; ++a)
-          corners[k][static_cast<Attribute>(a)] =
-              packet.values(k, static_cast<Attribute>(a))[i];
-      copy.append(corners);
-    }
-    packets.push_back(std::move(copy));
+      tessellator.tessellate(segment,
+                             [&](const Packet& packet) { packets.push_back(packet.clone()); });
   }
 
   std::vector<const Packet*> some(std::size_t step) const {
@@ -54,8 +41,8 @@ struct SmallScene {
   SampleGrid grid{kWidthPx, kHeightPx, 4, true, 1};
 };
 
-class Agreement
-    : public testing::TestWithParam<std::tuple<const SceneDescriptor*, Micropolygon>> {};
+class Agreement : public testing::TestWithParam<std::tuple<const SceneDescriptor*, Micropolygon>> {
+};
 
 TEST_P(Agreement, WithTheReference) {
   const auto [descriptor, shape] = GetParam();
@@ -70,8 +57,7 @@ TEST_P(Agreement, WithTheReference) {
     for (const Kernel* kernel : kernels()) {
       for (const int width : kernel->widths) {
         SCOPED_TRACE(fmt::format("{}, W = {}, {}", kernel->name, width, to_string(mode)));
-        const Outcome outcome =
-            test::run(*kernel, width, mode, options, scene.grid, packets);
+        const Outcome outcome = test::run(*kernel, width, mode, options, scene.grid, packets);
         if (mode == Mode::kUncounted) {
           EXPECT_EQ(outcome.result.hits_hash, reference.result.hits_hash);
           EXPECT_EQ(outcome.frame_hash, reference.frame_hash);
@@ -97,7 +83,8 @@ TEST_P(Agreement, OfCheckedAndCountingMachines) {
     for (const int width : kernel->widths) {
       SCOPED_TRACE(fmt::format("{}, W = {}", kernel->name, width));
       const auto packets = scene.some(32);
-      const auto counting = test::run(*kernel, width, Mode::kCounting, options, scene.grid, packets);
+      const auto counting =
+          test::run(*kernel, width, Mode::kCounting, options, scene.grid, packets);
       const auto checked = test::run(*kernel, width, Mode::kChecked, options, scene.grid, packets);
       EXPECT_EQ(counting.result.counts, checked.result.counts);
       EXPECT_EQ(counting.result.counters, checked.result.counters);
@@ -117,8 +104,9 @@ TEST_P(Agreement, OfSplitExecutions) {
     const auto half = packets.begin() + static_cast<std::ptrdiff_t>(packets.size() / 3);
     const auto whole =
         test::run(*kernel, width, Mode::kCounting, options, scene.grid, packets).result;
-    auto sum = test::run(*kernel, width, Mode::kCounting, options, scene.grid, {half, packets.end()})
-                   .result;
+    auto sum =
+        test::run(*kernel, width, Mode::kCounting, options, scene.grid, {half, packets.end()})
+            .result;
     merge(*kernel, sum,
           test::run(*kernel, width, Mode::kCounting, options, scene.grid, {packets.begin(), half})
               .result);

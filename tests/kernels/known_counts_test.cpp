@@ -59,10 +59,10 @@ TEST(KnownCounts, LockstepWaitsForTheLargestBox) {
   const Kernel& lockstep = find_kernel("lockstep");
   const SampleGrid grid(64, 64, 1, false, 0);
   // Boxes of 4, 1 and 16 cells: 16 iterations, 21 tests.
-  const Packet packet = test::packet_of(
-      Micropolygon::kQuad, {{{0.2f, 0.2f}, {1.8f, 0.2f}, {1.8f, 1.8f}, {0.2f, 1.8f}},
-                            {{8.2f, 8.2f}, {8.8f, 8.2f}, {8.8f, 8.8f}, {8.2f, 8.8f}},
-                            {{4.2f, 4.2f}, {7.8f, 4.2f}, {7.8f, 7.8f}, {4.2f, 7.8f}}});
+  const Packet packet = test::packet_of(Micropolygon::kQuad,
+                                        {{{0.2f, 0.2f}, {1.8f, 0.2f}, {1.8f, 1.8f}, {0.2f, 1.8f}},
+                                         {{8.2f, 8.2f}, {8.8f, 8.2f}, {8.8f, 8.8f}, {8.2f, 8.8f}},
+                                         {{4.2f, 4.2f}, {7.8f, 4.2f}, {7.8f, 7.8f}, {4.2f, 7.8f}}});
   const Outcome o = test::run(lockstep, 8, Mode::kCounting, quads(), grid, {&packet});
   EXPECT_EQ(o.counter(lockstep, "tests"), 21u);
   EXPECT_EQ(o.counter(lockstep, "hits"), 21u);
@@ -101,10 +101,9 @@ TEST(KnownCounts, RepackKeepsItsLanesBusyWithTheSameBoxes) {
 
 TEST(KnownCounts, WhollyCulledBatchesStopAfterSetup) {
   const SampleGrid grid(64, 64, 1, false, 0);
-  const Packet packet = test::packet_of(
-      Micropolygon::kTriangle,
-      std::vector<std::vector<std::pair<float, float>>>(
-          8, {{1.0f, 1.0f}, {1.0f, 5.0f}, {5.0f, 1.0f}}));
+  const Packet packet =
+      test::packet_of(Micropolygon::kTriangle, std::vector<std::vector<std::pair<float, float>>>(
+                                                   8, {{1.0f, 1.0f}, {1.0f, 5.0f}, {5.0f, 1.0f}}));
   for (const Kernel* kernel : kernels()) {
     if (kernel->stages.empty()) continue;
     const Outcome o = test::run(*kernel, 8, Mode::kCounting, {}, grid, {&packet});
@@ -128,6 +127,43 @@ TEST(KnownCounts, ConflictsAreCounted) {
   EXPECT_EQ(o.counter(lockstep, "conflict_hits"), 3u);
 }
 
+/// Instructions of one invocation of each stage: docs/thesis.md explains every one of them.
+struct Invocations {
+  std::uint64_t setup, bound, stream_load, test, compaction, process;
+};
+
+/// One micropolygon over 2 x 2 cells, with one hit in its first cell: one invocation of Setup and
+/// Bound, four of Test, one of Process.
+void expect_invocations(std::string_view name, Micropolygon shape, const Invocations& expected) {
+  const Kernel& kernel = find_kernel(name);
+  const SampleGrid grid(8, 8, 1, false, 0);
+  std::vector<std::pair<float, float>> corners = {{0.25f, 0.25f}, {1.25f, 0.25f}};
+  if (shape == Micropolygon::kQuad) corners.push_back({1.25f, 1.25f});
+  corners.push_back({0.25f, 1.25f});
+  KernelOptions options;
+  options.shape = shape;
+  const Packet packet = test::packet_of(shape, {corners});
+  const Outcome o = test::run(kernel, 8, Mode::kCounting, options, grid, {&packet});
+  ASSERT_EQ(o.counter(kernel, "tests"), 4u);
+  ASSERT_EQ(o.counter(kernel, "hits"), 1u);
+  const auto issued = [&](std::string_view stage_name) {
+    return stage(kernel, o, stage_name).total().issued;
+  };
+  EXPECT_EQ(issued("Setup"), expected.setup);
+  EXPECT_EQ(issued("Bound"), expected.bound);
+  EXPECT_EQ(issued("Test"), 4 * expected.test + expected.compaction);
+  EXPECT_EQ(issued("Process"), expected.process);
+  if (name == "repack") EXPECT_EQ(issued("Test Stream-load"), expected.stream_load);
+}
+
+TEST(KnownCounts, InstructionsOfOneInvocation) {
+  using enum Micropolygon;
+  expect_invocations("lockstep", kTriangle, {15, 48, 0, 33, 0, 19});
+  expect_invocations("lockstep", kQuad, {17, 56, 0, 39, 0, 30});
+  expect_invocations("repack", kTriangle, {15, 42, 8, 40, 4, 66});
+  expect_invocations("repack", kQuad, {17, 44, 8, 48, 4, 88});
+}
+
 /// A grid of quads, and the same vertices as triangles.
 std::pair<Packet, Packet> sheet(int columns, int rows) {
   std::vector<std::vector<std::pair<float, float>>> quads, triangles;
@@ -136,8 +172,10 @@ std::pair<Packet, Packet> sheet(int columns, int rows) {
       const float x = static_cast<float>(column), y = static_cast<float>(row);
       const std::pair<float, float> a{x, y}, b{x + 1, y}, c{x + 1, y + 1}, d{x, y + 1};
       const bool back = (row + column / 7) % 5 == 0;
-      if (back) quads.push_back({a, d, c, b});
-      else quads.push_back({a, b, c, d});
+      if (back)
+        quads.push_back({a, d, c, b});
+      else
+        quads.push_back({a, b, c, d});
       const auto& q = quads.back();
       triangles.push_back({q[0], q[1], q[2]});
       triangles.push_back({q[0], q[2], q[3]});

@@ -18,32 +18,33 @@ rc::Gen<float> coordinate() {
   return rc::gen::weightedOneOf<float>({
       {60, rc::gen::map(rc::gen::inRange(-512, 13 * 256),
                         [](int step) { return static_cast<float>(step) * kSubpixel; })},
-      {10, rc::gen::map(rc::gen::inRange(0, 13), [](int cell) { return static_cast<float>(cell); })},
-      {4, rc::gen::map(rc::gen::inRange(-40, 40), [](int tens) { return static_cast<float>(tens) * 10.5f; })},
+      {10,
+       rc::gen::map(rc::gen::inRange(0, 13), [](int cell) { return static_cast<float>(cell); })},
+      {4, rc::gen::map(rc::gen::inRange(-40, 40),
+                       [](int tens) { return static_cast<float>(tens) * 10.5f; })},
       {2, rc::gen::element(1e30f, -1e30f, 3e38f, 1e-40f, -0.0f, 16777216.0f)},
       {1, rc::gen::element(kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN())},
   });
 }
 
 rc::Gen<Vertex> vertex() {
-  return rc::gen::map(
-      rc::gen::tuple(coordinate(), coordinate(), rc::gen::inRange(0, 1000)), [](const auto& v) {
-        const auto [x, y, shade] = v;
-        const float s = static_cast<float>(shade) / 999.0f;
-        return Vertex{{x, y, 0.25f + s, s, 1.0f - s, s * s, 1.0f}};
-      });
+  return rc::gen::map(rc::gen::tuple(coordinate(), coordinate(), rc::gen::inRange(0, 1000)),
+                      [](const auto& v) {
+                        const auto [x, y, shade] = v;
+                        const float s = static_cast<float>(shade) / 999.0f;
+                        return Vertex{{x, y, 0.25f + s, s, 1.0f - s, s * s, 1.0f}};
+                      });
 }
 
 /// A micropolygon; at times two of its corners coincide.
 rc::Gen<std::vector<Vertex>> micropolygon(Micropolygon shape) {
-  return rc::gen::map(
-      rc::gen::pair(rc::gen::container<std::vector<Vertex>>(
-                        static_cast<std::size_t>(corner_count(shape)), vertex()),
-                    rc::gen::inRange(0, 8)),
-      [](auto drawn) {
-        if (drawn.second == 0) drawn.first[1] = drawn.first[0];
-        return drawn.first;
-      });
+  return rc::gen::map(rc::gen::pair(rc::gen::container<std::vector<Vertex>>(
+                                        static_cast<std::size_t>(corner_count(shape)), vertex()),
+                                    rc::gen::inRange(0, 8)),
+                      [](auto drawn) {
+                        if (drawn.second == 0) drawn.first[1] = drawn.first[0];
+                        return drawn.first;
+                      });
 }
 
 Packet draw_packet(Micropolygon shape) {
@@ -55,8 +56,8 @@ Packet draw_packet(Micropolygon shape) {
 }
 
 SampleGrid draw_grid() {
-  return SampleGrid(*rc::gen::inRange(1, 7), *rc::gen::inRange(1, 7),
-                    *rc::gen::element(1, 4, 9), *rc::gen::arbitrary<bool>(), 3);
+  return SampleGrid(*rc::gen::inRange(1, 7), *rc::gen::inRange(1, 7), *rc::gen::element(1, 4, 9),
+                    *rc::gen::arbitrary<bool>(), 3);
 }
 
 RC_GTEST_PROP(RandomMicropolygons, TrianglesAgree, ()) {

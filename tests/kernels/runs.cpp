@@ -64,8 +64,7 @@ void expect_agreement(const Packet& packet, const SampleGrid& grid, bool cull_ba
     for (const Kernel* kernel : kernels()) {
       for (const int width : kernel->widths) {
         for (const Mode mode : modes) {
-          SCOPED_TRACE(fmt::format("{}, W = {}, {}, {} edges", kernel->name, width,
-                                   to_string(mode),
+          SCOPED_TRACE(fmt::format("{}, W = {}, {}, {} edges", kernel->name, width, to_string(mode),
                                    edges == Edges::kInline ? "inline" : "precomputed"));
           const Outcome outcome = run(*kernel, width, mode, options, grid, {&packet});
           if (mode == Mode::kUncounted) {

@@ -97,11 +97,10 @@ TEST(Sources, AreOfReadableLength) {
 TEST(Documents, TheInstructionReferenceIsCurrent) {
   const std::string text = read(kRoot / "docs" / "instructions.md");
   for (const InstructionInfo* info : instruction_set()) {
-    const std::string row = fmt::format("| `{}` | {} | {} | {} |", info->mnemonic,
-                                        std::regex_replace(std::string(info->meaning),
-                                                           std::regex("\\|"), "\\|"),
-                                        to_string(info->instruction_class),
-                                        to_string(info->charge));
+    const std::string row =
+        fmt::format("| `{}` | {} | {} | {} |", info->mnemonic,
+                    std::regex_replace(std::string(info->meaning), std::regex("\\|"), "\\|"),
+                    to_string(info->instruction_class), to_string(info->charge));
     EXPECT_NE(text.find(row), std::string::npos) << row;
   }
 }

@@ -25,13 +25,23 @@ class Operands {
   T scalar() {
     const std::uint64_t hash = mix64(++state_);
     if constexpr (std::is_same_v<T, float>) {
-      static constexpr float kSpecial[] = {0.0f, -0.0f, 1.0f, -1.5f, 3.5f, -2.0f, 1e30f, -1e30f,
-                                           1e-30f, 2147483648.0f, std::numeric_limits<float>::infinity(),
+      static constexpr float kSpecial[] = {0.0f,
+                                           -0.0f,
+                                           1.0f,
+                                           -1.5f,
+                                           3.5f,
+                                           -2.0f,
+                                           1e30f,
+                                           -1e30f,
+                                           1e-30f,
+                                           2147483648.0f,
+                                           std::numeric_limits<float>::infinity(),
                                            std::numeric_limits<float>::quiet_NaN()};
       if (hash % 3 == 0) return kSpecial[(hash >> 8) % std::size(kSpecial)];
       return (unit_float(mix64(hash)) - 0.5f) * 200.0f;
     } else {
-      static constexpr std::uint32_t kSpecial[] = {0, 1, 2, 31, 32, 33, 0x7fffffff, 0x80000000, 0xffffffff};
+      static constexpr std::uint32_t kSpecial[] = {0,  1,          2,          31,        32,
+                                                   33, 0x7fffffff, 0x80000000, 0xffffffff};
       const auto bits = hash % 2 ? kSpecial[(hash >> 8) % std::size(kSpecial)]
                                  : static_cast<std::uint32_t>(hash >> 16);
       return static_cast<T>(bits);
@@ -79,8 +89,7 @@ void expect_lanes(Mask<W> active, const Vec<T, W>& result, F&& expected) {
 
 template <int W, class F>
 void expect_mask(Mask<W> active, Mask<W> result, F&& expected) {
-  for (int i = 0; i < W; ++i)
-    EXPECT_EQ(result[i], active[i] && expected(i)) << "lane " << i;
+  for (int i = 0; i < W; ++i) EXPECT_EQ(result[i], active[i] && expected(i)) << "lane " << i;
 }
 
 /// A machine of one stage, and the operands for it.
@@ -202,14 +211,17 @@ void check_memory(Bench<W>& bench) {
     const Mask<W> active = on.active();
     Ground<T> ground(3 * W + 5);
     const auto before = ground.elements;
-    const auto rest = bench.template vec<T>(), v = bench.template vec<T>(), w = bench.template vec<T>();
+    const auto rest = bench.template vec<T>(), v = bench.template vec<T>(),
+               w = bench.template vec<T>();
     const auto at = [&](std::size_t i) { return before[i]; };
-    expect_lanes(active, load(on, ground.memory(), 3), [&](int i) { return at(static_cast<std::size_t>(3 + i)); });
+    expect_lanes(active, load(on, ground.memory(), 3),
+                 [&](int i) { return at(static_cast<std::size_t>(3 + i)); });
     expect_lanes(Mask<W>::all(), load(on, ground.memory(), 3, rest),
                  [&](int i) { return active[i] ? at(static_cast<std::size_t>(3 + i)) : rest[i]; });
     const auto index = bench.operands.template indices<W>(W + 2);
-    expect_lanes(Mask<W>::all(), gather(on, ground.memory(), index, rest),
-                 [&](int i) { return active[i] ? at(static_cast<std::size_t>(index[i])) : rest[i]; });
+    expect_lanes(Mask<W>::all(), gather(on, ground.memory(), index, rest), [&](int i) {
+      return active[i] ? at(static_cast<std::size_t>(index[i])) : rest[i];
+    });
     const auto pair = gather_pair(on, ground.memory(), index, rest, v);
     expect_lanes(Mask<W>::all(), pair.first, [&](int i) {
       return active[i] ? at(static_cast<std::size_t>(2 * index[i])) : rest[i];
@@ -218,8 +230,10 @@ void check_memory(Bench<W>& bench) {
       return active[i] ? at(static_cast<std::size_t>(2 * index[i] + 1)) : v[i];
     });
     const auto records = load_pair(on, ground.memory(), 1);
-    expect_lanes(active, records.first, [&](int i) { return at(static_cast<std::size_t>(2 + 2 * i)); });
-    expect_lanes(active, records.second, [&](int i) { return at(static_cast<std::size_t>(3 + 2 * i)); });
+    expect_lanes(active, records.first,
+                 [&](int i) { return at(static_cast<std::size_t>(2 + 2 * i)); });
+    expect_lanes(active, records.second,
+                 [&](int i) { return at(static_cast<std::size_t>(3 + 2 * i)); });
 
     auto expected = before;
     store(on, ground.memory(), 2, v);
@@ -227,12 +241,9 @@ void check_memory(Bench<W>& bench) {
     scatter(on, ground.memory(), index, w);
     for_each_lane(active, [&](int i) { expected[static_cast<std::size_t>(index[i])] = w[i]; });
     scatter_pair(on, ground.memory(), index, v, w);
-    for_each_lane(active, [&](int i) {
-      expected[static_cast<std::size_t>(2 * index[i])] = v[i];
-    });
-    for_each_lane(active, [&](int i) {
-      expected[static_cast<std::size_t>(2 * index[i] + 1)] = w[i];
-    });
+    for_each_lane(active, [&](int i) { expected[static_cast<std::size_t>(2 * index[i])] = v[i]; });
+    for_each_lane(active,
+                  [&](int i) { expected[static_cast<std::size_t>(2 * index[i] + 1)] = w[i]; });
     for (std::size_t i = 0; i < expected.size(); ++i)
       EXPECT_TRUE(same(ground.elements[i], expected[i])) << "element " << i;
   });
@@ -278,8 +289,10 @@ void check_reductions(Bench<W>& bench) {
     EXPECT_TRUE(same(hmax(on, a), fold(lowest, [](T x, T y) { return x > y ? x : y; })));
     EXPECT_TRUE(same(hmin(on, a), fold(highest, [](T x, T y) { return x < y ? x : y; })));
     const auto sum = [](T x, T y) {
-      if constexpr (kFloat) return x + y;
-      else return static_cast<T>(static_cast<std::uint32_t>(x) + static_cast<std::uint32_t>(y));
+      if constexpr (kFloat)
+        return x + y;
+      else
+        return static_cast<T>(static_cast<std::uint32_t>(x) + static_cast<std::uint32_t>(y));
     };
     EXPECT_TRUE(same(hadd(on, a), fold(T{}, sum)));
     if constexpr (!kFloat) {
@@ -320,7 +333,8 @@ void check_cross_lane(Bench<W>& bench) {
     for (int i = 0; i < W; ++i) index.set(i, 3 * i - W);
     expect_lanes(active, permute(on, a, index), [&](int i) { return a[(3 * i + W) % W]; });
     expect_lanes(active, shuffle_up(on, a, 3), [&](int i) { return i >= 3 ? a[i - 3] : a[i]; });
-    expect_lanes(active, shuffle_down(on, a, 3), [&](int i) { return i + 3 < W ? a[i + 3] : a[i]; });
+    expect_lanes(active, shuffle_down(on, a, 3),
+                 [&](int i) { return i + 3 < W ? a[i + 3] : a[i]; });
     const auto keys = bench.operands.template indices<W>(W);
     expect_mask(active, conflict(on, keys), [&](int i) {
       for (int j = 0; j < i; ++j)
@@ -361,8 +375,9 @@ TYPED_TEST(EveryInstruction, EqualsAScalarLoop) {
   check_cross_lane(bench);
 
   std::set<std::string_view> issued;
-  for (const auto& counts : bench.vm.counts().stages[0].instructions)
-    issued.insert(counts.info->mnemonic);
+  const Counts counts = bench.vm.counts();
+  for (const InstructionCounts& kind : counts.stages[0].instructions)
+    issued.insert(kind.info->mnemonic);
   for (const InstructionInfo* info : instruction_set())
     EXPECT_TRUE(issued.contains(info->mnemonic)) << info->mnemonic << " has no test";
 }
