@@ -22,12 +22,12 @@
 
 namespace lanescope::host {
 
-/// Lanes of a chunk for a machine of width W. A machine narrower than a chunk leaves the rest idle.
+/// Lanes of a chunk for a machine of width W. What W leaves of the last chunk is never active.
 template <int W>
 constexpr int chunk_lanes() {
 #if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__) && defined(__AVX512BW__)
-  if (W % 16 == 0) return 16;
-  if (W % 8 == 0) return 8;
+  if (W >= 16) return 16;
+  if (W == 8) return 8;
 #elif defined(__AVX2__)
   if (W % 8 == 0) return 8;
 #endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The commands of the README, as they stand there, on small frames.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "analysis/files.h"
+#include "tests/cli/program.h"
+
+namespace lanescope {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What follows `$ build/release/bin/lanescope ` in the README, in order.
+std::vector<std::string> commands_of_readme() {
+  const std::string text = read_file(fs::path(LANESCOPE_SOURCE_DIR) / "README.md");
+  static const std::regex kCommand("\\$ build/release/bin/lanescope ([^\n]+)");
+  std::vector<std::string> commands;
+  for (std::sregex_iterator it(text.begin(), text.end(), kCommand), end; it != end; ++it)
+    commands.push_back((*it)[1]);
+  return commands;
+}
+
+/// The command at a resolution that takes no time; one that reads a report stays as it is.
+std::string made_small(const std::string& command) {
+  static const std::regex kResolution(" --resolution [0-9x]+");
+  if (!std::regex_search(command, std::regex("^(run|render|tables)")) ||
+      command.find("--from") != std::string::npos)
+    return command;
+  return std::regex_replace(command, kResolution, "") + " --resolution 48x30";
+}
+
+TEST(Readme, EveryCommandWorks) {
+  const fs::path directory = fs::path(::testing::TempDir()) / "lanescope-readme";
+  fs::remove_all(directory);
+  fs::create_directories(directory / "models");
+  std::ofstream(directory / "models" / "bunny.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const auto commands = commands_of_readme();
+  EXPECT_GE(commands.size(), 8u);
+  for (const std::string& command : commands) {
+    const auto outcome = testing::lanescope_program(made_small(command), directory);
+    EXPECT_EQ(outcome.status, 0) << command << "\n" << outcome.errors;
+  }
+  fs::remove_all(directory);
+}
+
+/// Links to files of the repository lead somewhere.
+TEST(Readme, LinksLeadSomewhere) {
+  static const std::regex kLink(R"(\]\(([^)#:]+)(#[^)]*)?\))");
+  for (const char* page : {"README.md", "docs/thesis.md", "docs/kernels.md", "docs/workloads.md",
+                           "docs/conventions.md"}) {
+    const fs::path path = fs::path(LANESCOPE_SOURCE_DIR) / page;
+    const std::string text = read_file(path);
+    for (std::sregex_iterator it(text.begin(), text.end(), kLink), end; it != end; ++it)
+      EXPECT_TRUE(fs::exists(path.parent_path() / std::string((*it)[1])))
+          << page << " links to " << (*it)[1];
+  }
+}
+
+}  // namespace
+}  // namespace lanescope
