@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "simulator/host.h"
+#include "simulator/host_memory.h"
 
 namespace lanescope {
 

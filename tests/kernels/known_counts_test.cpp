@@ -110,7 +110,9 @@ TEST(KnownCounts, WhollyCulledBatchesStopAfterSetup) {
     EXPECT_EQ(o.counter(*kernel, "micropolygons_culled"), 8u);
     EXPECT_GT(stage(*kernel, o, "Setup").total().issued, 0u);
     for (const std::string_view name : kernel->stages)
-      if (name != "Setup") EXPECT_EQ(stage(*kernel, o, name).total().issued, 0u) << name;
+      if (name != "Setup") {
+        EXPECT_EQ(stage(*kernel, o, name).total().issued, 0u) << name;
+      }
   }
 }
 
