@@ -31,6 +31,16 @@ WordGrid::Line line_of(const Row& row, const std::vector<bool>& compared) {
 
 }  // namespace
 
+std::string joined(const std::vector<TableData>& tables, std::string_view gap,
+                   std::string (*write_table)(const TableData& data)) {
+  std::string text;
+  for (const TableData& data : tables) {
+    if (!text.empty()) text += gap;
+    text += write_table(data);
+  }
+  return text;
+}
+
 const Format& find_format(std::string_view name) {
   const auto& all = formats();
   const auto found = std::find_if(all.begin(), all.end(), [&](auto* f) { return f->name == name; });

@@ -49,12 +49,7 @@ std::string write_table(const TableData& data) {
 }
 
 std::string write(const std::vector<TableData>& tables) {
-  std::string text;
-  for (const TableData& data : tables) {
-    if (!text.empty()) text += '\n';
-    text += write_table(data);
-  }
-  return text;
+  return joined(tables, "\n", write_table);
 }
 
 }  // namespace

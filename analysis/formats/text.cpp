@@ -83,12 +83,7 @@ class TextTable {
 };
 
 std::string write(const std::vector<TableData>& tables) {
-  std::string text;
-  for (const TableData& data : tables) {
-    if (!text.empty()) text += "\n\n";
-    text += TextTable(data).write();
-  }
-  return text;
+  return joined(tables, "\n\n", [](const TableData& data) { return TextTable(data).write(); });
 }
 
 }  // namespace
