@@ -9,6 +9,7 @@
 
 #include "analysis/build_info.h"
 #include "analysis/frame_pool.h"
+#include "analysis/observation.h"
 #include "analysis/packet_hash.h"
 #include "analysis/parallel.h"
 #include "analysis/scene_source.h"
@@ -63,21 +64,71 @@ struct Member {
   std::unique_ptr<Frame> frame;
 };
 
+/// A member as a tracing machine sees it, in those packets that are observed. They are rasterized
+/// once more, which changes nothing in the frame.
+class Observed {
+ public:
+  explicit Observed(const Member& member) : configuration_(*member.configuration) {
+    if (configuration_.observe_every == 0 || configuration_.mode == Mode::kUncounted ||
+        member.kernel->stages.empty())
+      return;
+    seen_ = std::make_unique<MemoryAndSource>();
+    execution_ = member.kernel->start({configuration_.width, Mode::kTracing,
+                                       configuration_.options, *member.frame, seen_.get()});
+  }
+
+  void take(const Packet& packet) {
+    ++sums_.packets;
+    if (!execution_ || !is_observed(packet, configuration_.observe_every,
+                                    configuration_.tessellation.packet_capacity))
+      return;
+    ++sums_.packets_observed;
+    execution_->rasterize(packet);
+  }
+
+  const Observation& sums() const { return sums_; }
+  /// Null if nothing is observed.
+  const MemoryAndSource* seen() const { return seen_.get(); }
+
+ private:
+  const Configuration& configuration_;
+  std::unique_ptr<MemoryAndSource> seen_;
+  std::unique_ptr<Execution> execution_;
+  Observation sums_;
+};
+
+/// Times of one worker, or of all together.
+struct WorkTimes {
+  double dicing_ms = 0.0;
+  double observation_ms = 0.0;
+};
+
 /// What one worker has of a group: an execution of each member, and its share of the sums.
 class Worker {
  public:
   explicit Worker(const std::vector<Member>& members) : kernel_ms_(members.size(), 0.0) {
-    for (const Member& m : members)
-      executions_.push_back(m.kernel->start(m.configuration->width, m.configuration->mode,
-                                            m.configuration->options, *m.frame));
+    for (const Member& m : members) {
+      executions_.push_back(m.kernel->start(
+          {m.configuration->width, m.configuration->mode, m.configuration->options, *m.frame}));
+      observed_.emplace_back(m);
+    }
   }
 
   void run(const Tessellator& tessellator, int segment) {
-    tessellation_ += tessellator.tessellate(segment, [&](const Packet& packet) { take(packet); });
+    const Clock::time_point start = Clock::now();
+    double elsewhere_ms = 0.0;
+    tessellation_ += tessellator.tessellate(segment, [&](const Packet& packet) {
+      const Clock::time_point begin = Clock::now();
+      take(packet);
+      elsewhere_ms += ms_since(begin);
+    });
+    times_.dicing_ms += ms_since(start) - elsewhere_ms;
   }
 
   KernelResult result(std::size_t member) const { return executions_[member]->result(); }
   double kernel_ms(std::size_t member) const { return kernel_ms_[member]; }
+  const Observed& observed(std::size_t member) const { return observed_[member]; }
+  const WorkTimes& times() const { return times_; }
   std::uint64_t scene_hash() const { return scene_hash_; }
   const TessellationCounts& tessellation() const { return tessellation_; }
 
@@ -87,12 +138,17 @@ class Worker {
     for (std::size_t i = 0; i < executions_.size(); ++i) {
       const Clock::time_point start = Clock::now();
       executions_[i]->rasterize(packet);
-      kernel_ms_[i] += ms_since(start);
+      const Clock::time_point counted = Clock::now();
+      observed_[i].take(packet);
+      kernel_ms_[i] += std::chrono::duration<double, std::milli>(counted - start).count();
+      times_.observation_ms += ms_since(counted);
     }
   }
 
   std::vector<std::unique_ptr<Execution>> executions_;
+  std::vector<Observed> observed_;
   std::vector<double> kernel_ms_;
+  WorkTimes times_;
   std::uint64_t scene_hash_ = 0;
   TessellationCounts tessellation_;
 };
@@ -110,7 +166,7 @@ std::vector<StageRecord> stage_records(const Kernel& kernel, const Counts& count
   return records;
 }
 
-void add_counters(RunRecord& run, const Kernel& kernel, const KernelResult& result) {
+void add_figures(RunRecord& run, const Kernel& kernel, const KernelResult& result) {
   LANESCOPE_CHECK(result.counters.size() == kernel.counters.size(), "{} counters of {}: {}",
                   kernel.counters.size(), kernel.name, result.counters.size());
   for (std::size_t i = 0; i < kernel.counters.size(); ++i) {
@@ -121,6 +177,11 @@ void add_counters(RunRecord& run, const Kernel& kernel, const KernelResult& resu
   for (const MetricInfo& info : kernel.metrics)
     run.metrics.push_back({std::string(info.name), std::string(info.meaning),
                            std::string(info.numerator), std::string(info.denominator)});
+  for (std::size_t i = 0; i < kernel.series.size(); ++i) {
+    const SeriesInfo& info = kernel.series[i];
+    run.series.push_back({std::string(info.name), std::string(info.meaning),
+                          std::string(info.index), std::string(info.unit), result.series[i]});
+  }
 }
 
 /// Runs the configurations of one group and fills in their runs of the report.
@@ -157,6 +218,10 @@ class GroupRun {
         [&](int done) { progress(static_cast<double>(done) / segments); });
     for (std::size_t i = 0; i < members_.size(); ++i)
       record(i, report.runs[indices_[i]], report.timing.kernel_ms[indices_[i]], dictionary);
+    for (const Worker& worker : workers_) {
+      report.timing.dicing_ms += worker.times().dicing_ms;
+      report.timing.observation_ms += worker.times().observation_ms;
+    }
     record_frames(report);
   }
 
@@ -177,11 +242,25 @@ class GroupRun {
     }
     if (run.configuration.mode != Mode::kUncounted)
       run.stages = stage_records(*member.kernel, sum.counts);
-    add_counters(run, *member.kernel, sum);
+    add_observation(run, i);
+    add_figures(run, *member.kernel, sum);
     run.hits_hash = sum.hits_hash;
     for (const StageCounts& stage : sum.counts.stages)
       for (const InstructionCounts& c : stage.instructions)
         dictionary.emplace(c.info->mnemonic, c.info);
+  }
+
+  void add_observation(RunRecord& run, std::size_t member) const {
+    MemoryAndSource seen;
+    for (const Worker& worker : workers_) {
+      const Observed& observed = worker.observed(member);
+      run.observation.packets += observed.sums().packets;
+      run.observation.packets_observed += observed.sums().packets_observed;
+      if (observed.seen()) seen += *observed.seen();
+    }
+    for (std::size_t stage = 0; stage < run.stages.size(); ++stage)
+      run.stages[stage].memory = seen.memory(stage);
+    run.source_lines = seen.source_lines(members_[member].kernel->stages);
   }
 
   void record_frames(Report& report) const {
@@ -214,6 +293,7 @@ Report run_experiment(const std::vector<Configuration>& configurations,
   const Clock::time_point start = Clock::now();
   Report report;
   report.program_version = program_version();
+  report.commit = program_commit();
   report.runs.resize(configurations.size());
   report.timing.kernel_ms.resize(configurations.size());
   Dictionary dictionary;
@@ -234,6 +314,7 @@ Report run_experiment(const std::vector<Configuration>& configurations,
   report.timing.threads = options.threads;
   report.timing.host = processor_model();
   report.timing.compiler = compiler();
+  report.timing.peak_memory_bytes = peak_memory_bytes();
   return report;
 }
 

@@ -29,4 +29,10 @@ std::optional<std::uint64_t> RunRecord::counter(std::string_view name) const {
   return found->value;
 }
 
+const SeriesRecord* RunRecord::find_series(std::string_view name) const {
+  const auto found =
+      std::find_if(series.begin(), series.end(), [&](const auto& s) { return s.name == name; });
+  return found == series.end() ? nullptr : &*found;
+}
+
 }  // namespace lanescope

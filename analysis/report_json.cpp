@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "analysis/configuration_json.h"
 #include "analysis/figures.h"
 #include "analysis/json_text.h"
 
@@ -33,33 +34,6 @@ Json list_json(const std::vector<Record>& records, Write write) {
   return list;
 }
 
-Json scene_json(const RunRecord& run) {
-  const Configuration& c = run.configuration;
-  return {
-      {"name", c.scene},
-      {"mesh_patches", c.is_mesh() ? Json(name_of(kMeshPatches, *c.mesh_patches)) : Json(nullptr)},
-      {"frame", c.frame},
-      {"turn_degrees", json_number(c.turn_degrees)},
-      {"thesis_like", run.thesis_like},
-      {"hash", hex(run.scene_hash)}};
-}
-
-Json parameters_json(const Configuration& c) {
-  return {{"mode", name_of(kModes, c.mode)},
-          {"cull_backfaces", c.options.cull_backfaces},
-          {"edges", name_of(kEdges, c.options.edges)},
-          {"stream_load_threshold", json_number(c.options.stream_load_threshold)},
-          {"width_px", c.tessellation.width_px},
-          {"height_px", c.tessellation.height_px},
-          {"samples_per_pixel", c.samples_per_pixel},
-          {"jitter", c.jitter},
-          {"seed", c.seed},
-          {"dice_area_px", json_number(c.tessellation.dice_area_px)},
-          {"grid_limit", c.tessellation.grid_limit},
-          {"packet_capacity", c.tessellation.packet_capacity},
-          {"grid_overlap_px", json_number(c.tessellation.grid_overlap_px)}};
-}
-
 Json tessellation_json(const TessellationCounts& counts) {
   return {{"patches_culled", counts.patches_culled},   {"patches_split", counts.patches_split},
           {"patches_dropped", counts.patches_dropped}, {"grids", counts.grids},
@@ -74,12 +48,35 @@ Json instruction_json(const InstructionRecord& counts) {
           {"overhead_active", counts.overhead_active}};
 }
 
+Json memory_json(const MemoryRecord& memory) {
+  return {{"mnemonic", memory.mnemonic},
+          {"issued", memory.issued},
+          {"active", memory.active},
+          {"lines", memory.lines},
+          {"lines_histogram", memory.lines_histogram},
+          {"conflicts", memory.conflicts}};
+}
+
 Json stage_json(const StageRecord& stage, int width) {
   return {{"name", stage.name},
           {"utilization", ratio_json(utilization(stage, width))},
           {"instructions", list_json(stage.instructions, instruction_json)},
           {"lane_active", stage.lane_active},
-          {"histogram", stage.histogram}};
+          {"histogram", stage.histogram},
+          {"memory", list_json(stage.memory, memory_json)}};
+}
+
+Json series_json(const SeriesRecord& series) {
+  return {{"name", series.name},
+          {"meaning", series.meaning},
+          {"index", series.index},
+          {"unit", series.unit},
+          {"values", series.values}};
+}
+
+Json source_line_json(const SourceLineRecord& line) {
+  return {{"file", line.file},     {"line", line.line},     {"stage", line.stage},
+          {"issued", line.issued}, {"active", line.active}, {"overhead", line.overhead}};
 }
 
 Json counter_json(const CounterRecord& counter) {
@@ -101,15 +98,18 @@ Json metric_json(const RunRecord& run, const MetricRecord& metric) {
 
 Json run_json(const RunRecord& run) {
   const Configuration& c = run.configuration;
-  return {{"kernel", c.kernel},
-          {"width_lanes", c.width},
-          {"micropolygon", to_string(c.shape())},
-          {"scene", scene_json(run)},
-          {"parameters", parameters_json(c)},
+  return {{"parameters", configuration_json(c)},
+          {"scene_hash", hex(run.scene_hash)},
+          {"thesis_like", run.thesis_like},
           {"tessellation", tessellation_json(run.tessellation)},
           {"stages", list_json(run.stages, [&](const auto& s) { return stage_json(s, c.width); })},
           {"counters", list_json(run.counters, counter_json)},
           {"metrics", list_json(run.metrics, [&](const auto& m) { return metric_json(run, m); })},
+          {"series", list_json(run.series, series_json)},
+          {"observation",
+           {{"packets", run.observation.packets},
+            {"packets_observed", run.observation.packets_observed}}},
+          {"source_lines", list_json(run.source_lines, source_line_json)},
           {"hits_hash", hex(run.hits_hash)},
           {"frame_hash", hex(run.frame_hash)},
           {"samples_covered", run.samples_covered}};
@@ -127,7 +127,10 @@ Json timing_json(const Timing& timing) {
           {"threads", timing.threads},
           {"host", timing.host},
           {"compiler", timing.compiler},
-          {"kernel_ms", list_json(timing.kernel_ms, rounded_ms)}};
+          {"kernel_ms", list_json(timing.kernel_ms, rounded_ms)},
+          {"dicing_ms", rounded_ms(timing.dicing_ms)},
+          {"observation_ms", rounded_ms(timing.observation_ms)},
+          {"peak_memory_bytes", timing.peak_memory_bytes}};
 }
 
 }  // namespace
@@ -137,7 +140,10 @@ Json to_json(const Report& report) {
           {"made_by",
            {{"program", "lanescope"},
             {"version", report.program_version},
+            {"commit", report.commit.empty() ? Json(nullptr) : Json(report.commit)},
             {"command", report.command}}},
+          {"machine",
+           {{"line_bytes", kLineBytes}, {"element_types", {"float32", "int32", "uint32"}}}},
           {"instructions", list_json(report.instructions, entry_json)},
           {"runs", list_json(report.runs, run_json)},
           {"timing", timing_json(report.timing)}};

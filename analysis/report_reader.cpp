@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "analysis/configuration_json.h"
 #include "analysis/figures.h"
 #include "analysis/files.h"
 #include "analysis/json_cursor.h"
@@ -12,22 +13,6 @@
 
 namespace lanescope {
 namespace {
-
-constexpr int kMaxWidth = 64;
-
-template <class Value, std::size_t kCount>
-Value read_choice(const JsonCursor& cursor, const std::array<Choice<Value>, kCount>& choices) {
-  const auto value = find_choice(choices, cursor.string());
-  if (!value) cursor.fail(list_or(choices));
-  return *value;
-}
-
-float read_float(const JsonCursor& cursor) {
-  const double number = cursor.number();
-  if (std::abs(number) > std::numeric_limits<float>::max())
-    cursor.fail("a number in the range of single precision");
-  return static_cast<float>(number);
-}
 
 double read_number(const JsonCursor& cursor) { return cursor.number(); }
 std::uint64_t read_count(const JsonCursor& cursor) { return cursor.count(); }
@@ -46,37 +31,6 @@ void check_ratio(const JsonCursor& cursor, const Ratio& expected) {
   if (!derived && !value.is_null()) value.fail("null, as the denominator is 0");
   if (derived && std::abs(value.number() - *derived) > 1e-12 * std::abs(*derived))
     value.fail(fmt::format("{}, the numerator over the denominator", *derived));
-}
-
-void read_scene(const JsonCursor& cursor, RunRecord& run) {
-  cursor.require_members({"name", "mesh_patches", "frame", "turn_degrees", "thesis_like", "hash"});
-  Configuration& c = run.configuration;
-  c.scene = cursor.member("name").string();
-  const JsonCursor patches = cursor.member("mesh_patches");
-  if (!patches.is_null()) c.mesh_patches = read_choice(patches, kMeshPatches);
-  c.frame = cursor.member("frame").integer(0);
-  c.turn_degrees = read_float(cursor.member("turn_degrees"));
-  run.thesis_like = cursor.member("thesis_like").boolean();
-  run.scene_hash = cursor.member("hash").hash();
-}
-
-void read_parameters(const JsonCursor& cursor, Configuration& c) {
-  cursor.require_members({"mode", "cull_backfaces", "edges", "stream_load_threshold", "width_px",
-                          "height_px", "samples_per_pixel", "jitter", "seed", "dice_area_px",
-                          "grid_limit", "packet_capacity", "grid_overlap_px"});
-  c.mode = read_choice(cursor.member("mode"), kModes);
-  c.options.cull_backfaces = cursor.member("cull_backfaces").boolean();
-  c.options.edges = read_choice(cursor.member("edges"), kEdges);
-  c.options.stream_load_threshold = read_float(cursor.member("stream_load_threshold"));
-  c.tessellation.width_px = cursor.member("width_px").integer(1);
-  c.tessellation.height_px = cursor.member("height_px").integer(1);
-  c.samples_per_pixel = cursor.member("samples_per_pixel").integer(1);
-  c.jitter = cursor.member("jitter").boolean();
-  c.seed = cursor.member("seed").count();
-  c.tessellation.dice_area_px = read_float(cursor.member("dice_area_px"));
-  c.tessellation.grid_limit = cursor.member("grid_limit").integer(1);
-  c.tessellation.packet_capacity = cursor.member("packet_capacity").integer(1);
-  c.tessellation.grid_overlap_px = read_float(cursor.member("grid_overlap_px"));
 }
 
 TessellationCounts read_tessellation(const JsonCursor& cursor) {
@@ -106,13 +60,26 @@ std::vector<std::uint64_t> read_counts(const JsonCursor& cursor, int length) {
   return counts;
 }
 
+MemoryRecord read_memory(const JsonCursor& cursor, int width) {
+  cursor.require_members({"mnemonic", "issued", "active", "lines", "lines_histogram", "conflicts"});
+  return {cursor.member("mnemonic").string(),
+          cursor.member("issued").count(),
+          cursor.member("active").count(),
+          cursor.member("lines").count(),
+          read_counts(cursor.member("lines_histogram"), width + 1),
+          cursor.member("conflicts").count()};
+}
+
 StageRecord read_stage(const JsonCursor& cursor, int width) {
-  cursor.require_members({"name", "utilization", "instructions", "lane_active", "histogram"});
+  cursor.require_members({"name", "utilization", "instructions", "lane_active", "histogram",
+                          "memory"});
   StageRecord stage;
   stage.name = cursor.member("name").string();
   stage.instructions = read_list(cursor.member("instructions"), read_instruction);
   stage.lane_active = read_counts(cursor.member("lane_active"), width);
   stage.histogram = read_counts(cursor.member("histogram"), width + 1);
+  for (const JsonCursor& memory : cursor.member("memory").items())
+    stage.memory.push_back(read_memory(memory, width));
   check_ratio(cursor.member("utilization"), utilization(stage, width));
   return stage;
 }
@@ -137,22 +104,45 @@ MetricRecord read_metric(const JsonCursor& cursor, const RunRecord& run) {
   return metric;
 }
 
+SeriesRecord read_series(const JsonCursor& cursor) {
+  cursor.require_members({"name", "meaning", "index", "unit", "values"});
+  return {cursor.member("name").string(), cursor.member("meaning").string(),
+          cursor.member("index").string(), cursor.member("unit").string(),
+          read_list(cursor.member("values"), read_count)};
+}
+
+Observation read_observation(const JsonCursor& cursor) {
+  cursor.require_members({"packets", "packets_observed"});
+  return {cursor.member("packets").count(), cursor.member("packets_observed").count()};
+}
+
+SourceLineRecord read_source_line(const JsonCursor& cursor) {
+  cursor.require_members({"file", "line", "stage", "issued", "active", "overhead"});
+  return {cursor.member("file").string(),
+          static_cast<std::uint32_t>(cursor.member("line").integer(1)),
+          cursor.member("stage").string(),
+          cursor.member("issued").count(),
+          cursor.member("active").count(),
+          cursor.member("overhead").count()};
+}
+
 RunRecord read_run(const JsonCursor& cursor) {
-  cursor.require_members({"kernel", "width_lanes", "micropolygon", "scene", "parameters",
-                          "tessellation", "stages", "counters", "metrics", "hits_hash",
-                          "frame_hash", "samples_covered"});
+  cursor.require_members({"parameters", "scene_hash", "thesis_like", "tessellation", "stages",
+                          "counters", "metrics", "series", "observation", "source_lines",
+                          "hits_hash", "frame_hash", "samples_covered"});
   RunRecord run;
-  run.configuration.kernel = cursor.member("kernel").string();
-  run.configuration.width = cursor.member("width_lanes").integer(1, kMaxWidth);
-  run.configuration.options.shape = read_choice(cursor.member("micropolygon"), kShapes);
-  read_scene(cursor.member("scene"), run);
-  read_parameters(cursor.member("parameters"), run.configuration);
+  run.configuration = read_configuration(cursor.member("parameters"));
+  run.scene_hash = cursor.member("scene_hash").hash();
+  run.thesis_like = cursor.member("thesis_like").boolean();
   run.tessellation = read_tessellation(cursor.member("tessellation"));
   for (const JsonCursor& stage : cursor.member("stages").items())
     run.stages.push_back(read_stage(stage, run.configuration.width));
   run.counters = read_list(cursor.member("counters"), read_counter);
   for (const JsonCursor& metric : cursor.member("metrics").items())
     run.metrics.push_back(read_metric(metric, run));
+  run.series = read_list(cursor.member("series"), read_series);
+  run.observation = read_observation(cursor.member("observation"));
+  run.source_lines = read_list(cursor.member("source_lines"), read_source_line);
   run.hits_hash = cursor.member("hits_hash").hash();
   run.frame_hash = cursor.member("frame_hash").hash();
   run.samples_covered = cursor.member("samples_covered").count();
@@ -166,10 +156,13 @@ InstructionEntry read_entry(const JsonCursor& cursor) {
 }
 
 Timing read_timing(const JsonCursor& cursor) {
-  cursor.require_members({"wall_ms", "threads", "host", "compiler", "kernel_ms"});
+  cursor.require_members({"wall_ms", "threads", "host", "compiler", "kernel_ms", "dicing_ms",
+                          "observation_ms", "peak_memory_bytes"});
   return {cursor.member("wall_ms").number(), cursor.member("threads").integer(1),
           cursor.member("host").string(), cursor.member("compiler").string(),
-          read_list(cursor.member("kernel_ms"), read_number)};
+          read_list(cursor.member("kernel_ms"), read_number),
+          cursor.member("dicing_ms").number(), cursor.member("observation_ms").number(),
+          cursor.member("peak_memory_bytes").count()};
 }
 
 /// Looks at the version before anything else, as a newer form may have other members.
@@ -183,6 +176,17 @@ void check_schema(const JsonCursor& document) {
     throw InputError(schema.member("version").where(),
                      "version {} is newer than {}, the newest that this program reads", version,
                      kReportVersion);
+  if (version < kReportVersion)
+    throw InputError(schema.member("version").where(),
+                     "version {} is older than {}, the only one that this program reads", version,
+                     kReportVersion);
+}
+
+/// The machine is the same in every report of a version.
+void check_machine(const JsonCursor& machine) {
+  machine.require_members({"line_bytes", "element_types"});
+  if (machine.member("line_bytes").count() != kLineBytes)
+    machine.member("line_bytes").fail(fmt::format("{}", kLineBytes));
 }
 
 /// Checks what holds between members: every mnemonic is explained, each run has its time.
@@ -207,13 +211,15 @@ Report parse_report(std::string_view text, const std::string& where) {
   const nlohmann::ordered_json json = parse_json(text, where);
   const JsonCursor document(json, where);
   check_schema(document);
-  document.require_members({"schema", "made_by", "instructions", "runs", "timing"});
+  document.require_members({"schema", "made_by", "machine", "instructions", "runs", "timing"});
   const JsonCursor made_by = document.member("made_by");
-  made_by.require_members({"program", "version", "command"});
+  made_by.require_members({"program", "version", "commit", "command"});
   if (made_by.member("program").string() != "lanescope")
     made_by.member("program").fail("\"lanescope\"");
   Report report;
   report.program_version = made_by.member("version").string();
+  if (!made_by.member("commit").is_null()) report.commit = made_by.member("commit").string();
+  check_machine(document.member("machine"));
   report.command = made_by.member("command").string();
   report.instructions = read_list(document.member("instructions"), read_entry);
   report.runs = read_list(document.member("runs"), read_run);

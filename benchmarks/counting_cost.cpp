@@ -80,7 +80,7 @@ void measure_kernel(const Kernel& kernel, int width, const std::vector<Packet>& 
   const SampleGrid grid(kWidthPx, kHeightPx, 4, true, 1);
   Frame frame(grid);
   const auto run = [&](Mode mode) {
-    return [&, execution = kernel.start(width, mode, {}, frame)]() mutable {
+    return [&, execution = kernel.start({width, mode, {}, frame})]() mutable {
       for (const Packet& packet : packets) execution->rasterize(packet);
     };
   };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "kernels/kernel.h"
 
@@ -59,6 +60,41 @@ inline constexpr std::array<MetricInfo, 4> kRasterizerMetrics{{
     {"working_set_average", "micropolygons alive just after Bound", "working_set_sum",
      "working_set_observations"},
 }};
+
+/// Of the working set, in the order of WorkingSetCourse::series.
+inline constexpr std::array<SeriesInfo, 3> kWorkingSetSeries{{
+    {"working_set_histogram", "invocations of Bound after which so many micropolygons were alive",
+     "micropolygons", "invocations"},
+    {"working_set_course_sum",
+     "micropolygons alive just after the n-th Bound of a packet, summed over packets",
+     "invocation of Bound in its packet", "micropolygons"},
+    {"working_set_course_packets", "packets that had an n-th Bound",
+     "invocation of Bound in its packet", "packets"},
+}};
+
+/// The working set as a histogram, and in its course over a packet.
+class WorkingSetCourse {
+ public:
+  void begin_packet() { place_ = 0; }
+
+  void observe(std::uint64_t alive) {
+    increase(histogram_, static_cast<std::size_t>(alive), 1);
+    increase(sum_, place_, alive);
+    increase(packets_, place_, 1);
+    ++place_;
+  }
+
+  std::vector<std::vector<std::uint64_t>> series() const { return {histogram_, sum_, packets_}; }
+
+ private:
+  static void increase(std::vector<std::uint64_t>& list, std::size_t place, std::uint64_t by) {
+    if (place >= list.size()) list.resize(place + 1);
+    list[place] += by;
+  }
+
+  std::size_t place_ = 0;
+  std::vector<std::uint64_t> histogram_, sum_, packets_;
+};
 
 using RasterizerCounts = std::array<std::uint64_t, kRasterizerCounterCount>;
 

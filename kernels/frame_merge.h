@@ -48,6 +48,13 @@ struct FrameMerge {
     });
     if (sink->counting) count(active, *sink->counts, sample);
   }
+  template <int W, class F, class... Shades>
+  static void touch(Mask<W> active, F&& f, HitSink* sink, const Vec<std::int32_t, W>& sample,
+                    const Shades&...) {
+    const auto& samples = sink->frame->samples();
+    const auto frame = read_only(samples.data(), samples.size(), "frame");
+    for_each_lane(active, [&](int i) { f(i, frame, std::int64_t{sample[i]}, true); });
+  }
 
  private:
   template <int W>

@@ -13,6 +13,7 @@
 #include "simulator/base/random.h"
 #include "simulator/counts.h"
 #include "simulator/mode.h"
+#include "simulator/observer.h"
 #include "workloads/micropolygon.h"
 
 namespace lanescope {
@@ -52,10 +53,20 @@ struct MetricInfo {
   std::string_view denominator;  ///< Name of a counter.
 };
 
+/// A list of figures that a kernel counts: a histogram, or a course over time. Lists merge by
+/// adding element by element.
+struct SeriesInfo {
+  std::string_view name;  ///< snake_case, unique in the kernel
+  std::string_view meaning;
+  std::string_view index;  ///< What the place in the list is.
+  std::string_view unit;   ///< Of the values.
+};
+
 /// What one execution did.
 struct KernelResult {
   Counts counts;                        ///< Empty stages in Mode::kUncounted.
   std::vector<std::uint64_t> counters;  ///< In the order of Kernel::counters.
+  std::vector<std::vector<std::uint64_t>> series;  ///< In the order of Kernel::series.
   /// Sum over all hits (micropolygon, sample) of hit_hash: equal for equal sets of hits.
   std::uint64_t hits_hash = 0;
 };
@@ -75,6 +86,15 @@ class Execution {
   virtual KernelResult result() const = 0;
 };
 
+/// What an execution is started with.
+struct Launch {
+  int width;
+  Mode mode;
+  KernelOptions options;
+  Frame& frame;                  ///< Written to; must outlive the execution.
+  Observer* observer = nullptr;  ///< Of Mode::kTracing; must outlive the execution.
+};
+
 /// The descriptor; kernels/<name>.cpp ends in one, and the registry lists them.
 struct Kernel {
   std::string_view name;
@@ -82,11 +102,11 @@ struct Kernel {
   std::span<const std::string_view> stages;
   std::span<const CounterInfo> counters;
   std::span<const MetricInfo> metrics;
+  std::span<const SeriesInfo> series;
   /// Widths the kernel can be started with, ascending.
   std::span<const int> widths;
-  /// Starts an execution that writes to `frame`. Requires a width among `widths`.
-  std::unique_ptr<Execution> (*start)(int width, Mode mode, const KernelOptions& options,
-                                      Frame& frame);
+  /// Starts an execution. Requires a width among `widths`.
+  std::unique_ptr<Execution> (*start)(const Launch& launch);
 };
 
 /// The contribution of one hit to KernelResult::hits_hash.

@@ -17,6 +17,7 @@ const Kernel k_lockstep{
     .stages = kStages,
     .counters = std::span(kRasterizerCounters).first<kConflictHits + 1>(),
     .metrics = std::span(kRasterizerMetrics).first<3>(),
+    .series = {},
     .widths = kBuiltWidths,
     .start = start_lockstep,
 };

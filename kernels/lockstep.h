@@ -26,6 +26,7 @@ class Lockstep {
 
     for (int first = 0; first < size; first += Vm::kWidth) {
       const auto valid = Lanes::first_n(size - first);
+      vm_.begin_batch();
       const auto batch = set_up<Vm, P>(setup, packet, first, valid);
       if constexpr (kCounted) count_batch(counts_, batch, valid);
       if (!batch.any_alive) continue;

@@ -185,8 +185,8 @@ class Rastmp final : public Execution {
   std::uint64_t hits_hash_ = 0;
 };
 
-std::unique_ptr<Execution> start(int, Mode, const KernelOptions& options, Frame& frame) {
-  return std::make_unique<Rastmp>(options, frame);
+std::unique_ptr<Execution> start(const Launch& launch) {
+  return std::make_unique<Rastmp>(launch.options, launch.frame);
 }
 
 }  // namespace
@@ -198,6 +198,7 @@ const Kernel k_rastmp{
     .stages = {},
     .counters = std::span(kRasterizerCounters).first<kHits + 1>(),
     .metrics = std::span(kRasterizerMetrics).first<1>(),
+    .series = {},
     .widths = kWidths,
     .start = start,
 };

@@ -17,6 +17,7 @@ const Kernel k_repack{
     .stages = kStages,
     .counters = kRasterizerCounters,
     .metrics = kRasterizerMetrics,
+    .series = kWorkingSetSeries,
     .widths = kBuiltWidths,
     .start = start_repack,
 };

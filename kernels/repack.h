@@ -33,10 +33,13 @@ class Repack {
         least_free_to_load_(std::max(
             1, static_cast<int>(std::ceil(options.kernel.stream_load_threshold * kWidth)))) {}
 
+  std::vector<std::vector<std::uint64_t>> series() const { return working_set_.series(); }
+
   void rasterize(const PacketMemory<P>& packet, int size, std::uint64_t first_id) {
     Sites sites(vm_);
     TestLanes lanes;
     hold(size);
+    working_set_.begin_packet();
     for (int next = 0;;) {
       const bool input_left = next < size;
       const int testable = lanes.busy.count() + queued_;
@@ -106,6 +109,7 @@ class Repack {
   /// any micropolygon was left to bound.
   LANESCOPE_INLINE bool bound_batch(Sites& sites, const PacketMemory<P>& packet, int first,
                                     Lanes valid) {
+    vm_.begin_batch();
     const auto batch = set_up<Vm, P>(sites.setup, packet, first, valid);
     if constexpr (kCounted) count_batch(counts_, batch, valid);
     if (!batch.any_alive) return false;
@@ -307,6 +311,7 @@ class Repack {
     counts_[kWorkingSetSum] += alive;
     counts_[kWorkingSetObservations] += 1;
     counts_[kWorkingSetMaximum] = std::max(counts_[kWorkingSetMaximum], alive);
+    working_set_.observe(alive);
   }
 
   /// The buffer before *Test*: boxes, in records of two words where they go together.
@@ -347,6 +352,7 @@ class Repack {
   Buffer<std::int32_t> hit_queue_{2 * kEntries, "hits", Vm::kCheckedMode};
   int hits_ = 0;  ///< Entries of hit_queue_: (micropolygon, sample).
   std::optional<Held> held_;
+  WorkingSetCourse working_set_;
 };
 
 }  // namespace lanescope

@@ -19,14 +19,15 @@ struct ProgramOptions {
 ///   static constexpr std::size_t kStageCount, kCounterCount;
 ///   Program(Vm&, const ProgramOptions&, RasterizerCounts&, HitSink&);
 ///   void rasterize(const PacketMemory<P>&, int size, std::uint64_t first_id);
+/// and, if its kernel has series, `std::vector<std::vector<std::uint64_t>> series() const`.
 template <template <class, Micropolygon, Edges> class Program, class Vm, Micropolygon P, Edges E>
 class ProgramExecution final : public Execution {
  public:
-  ProgramExecution(const KernelOptions& options, Frame& frame)
-      : options_(options),
-        vm_(Program<Vm, P, E>::kStageCount),
-        sink_{&frame, Vm::kMode != Mode::kUncounted, &counts_},
-        program_(vm_, {options, &frame}, counts_, sink_) {}
+  explicit ProgramExecution(const Launch& launch)
+      : options_(launch.options),
+        vm_(Program<Vm, P, E>::kStageCount, launch.observer),
+        sink_{&launch.frame, Vm::kMode != Mode::kUncounted, &counts_},
+        program_(vm_, {launch.options, &launch.frame}, counts_, sink_) {}
 
   void rasterize(const Packet& packet) override {
     if (options_.cull_backfaces) {
@@ -43,6 +44,7 @@ class ProgramExecution final : public Execution {
     KernelResult result;
     result.counts = vm_.counts();
     result.counters.assign(counts_.begin(), counts_.begin() + Program<Vm, P, E>::kCounterCount);
+    if constexpr (requires { program_.series(); }) result.series = program_.series();
     result.hits_hash = sink_.hits_hash;
     return result;
   }
@@ -59,23 +61,25 @@ class ProgramExecution final : public Execution {
 
 /// Starts a program on a machine of width W.
 template <template <class, Micropolygon, Edges> class Program, int W>
-std::unique_ptr<Execution> start_program(Mode mode, const KernelOptions& options, Frame& frame) {
+std::unique_ptr<Execution> start_program(const Launch& launch) {
   const auto with_edges = [&]<Mode M, Micropolygon P>() -> std::unique_ptr<Execution> {
     using Vm = Machine<W, M>;
-    if (options.edges == Edges::kInline)
-      return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kInline>>(options, frame);
-    return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kPrecomputed>>(options, frame);
+    if (launch.options.edges == Edges::kInline)
+      return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kInline>>(launch);
+    return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kPrecomputed>>(launch);
   };
   const auto with_shape = [&]<Mode M>() {
-    return options.shape == Micropolygon::kTriangle
+    return launch.options.shape == Micropolygon::kTriangle
                ? with_edges.template operator()<M, Micropolygon::kTriangle>()
                : with_edges.template operator()<M, Micropolygon::kQuad>();
   };
-  switch (mode) {
+  switch (launch.mode) {
     case Mode::kCounting:
       return with_shape.template operator()<Mode::kCounting>();
     case Mode::kChecked:
       return with_shape.template operator()<Mode::kChecked>();
+    case Mode::kTracing:
+      return with_shape.template operator()<Mode::kTracing>();
     case Mode::kUncounted:
       return with_shape.template operator()<Mode::kUncounted>();
   }

@@ -2,6 +2,7 @@
 // What describes an instruction: name, meaning, class, what it charges. See docs/conventions.md.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 namespace lanescope {
@@ -34,6 +35,10 @@ struct InstructionInfo {
   InstructionClass instruction_class;
   Charge charge = Charge::kActiveLanes;
 };
+
+/// Lanes charged for `executions` of an instruction in which `active` lanes were on altogether.
+std::uint64_t charged_lanes(Charge charge, std::uint64_t executions, std::uint64_t active,
+                            int width);
 
 std::string_view to_string(Charge charge);
 std::string_view to_string(InstructionClass instruction_class);

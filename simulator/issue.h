@@ -133,6 +133,7 @@ LANESCOPE_INLINE const auto& plain(const Operand& operand) {
 }  // namespace lanescope
 
 #include "simulator/checks.h"
+#include "simulator/tracing.h"
 
 namespace lanescope {
 
@@ -192,6 +193,8 @@ struct Instruction {
     on.template charge<Op>();
     if constexpr (M == Mode::kChecked)
       return detail::execute_checked<Op, W>(on.active(), at, operands...);
+    else if constexpr (M == Mode::kTracing)
+      return detail::execute_traced<Op, W>(on, at, operands...);
     else
       return detail::execute<Op, W>(on.active(), operands...);
   }

@@ -26,6 +26,7 @@
 #include "simulator/base/error.h"
 #include "simulator/lane_counter.h"
 #include "simulator/mode.h"
+#include "simulator/observer.h"
 #include "simulator/tally.h"
 #include "simulator/vector.h"
 
@@ -40,6 +41,17 @@ struct CheckedVec {
 };
 
 namespace detail {
+
+/// Whom a site of a tracing machine tells; nothing on other machines.
+template <Mode M>
+struct Watched {
+  LANESCOPE_INLINE explicit Watched(Observer*) {}
+};
+template <>
+struct Watched<Mode::kTracing> {
+  explicit Watched(Observer* observer) : observer(observer) {}
+  Observer* observer;
+};
 
 /// A 64-bit hash of a name, for signatures.
 constexpr std::uint64_t hash_name(std::string_view name) {
@@ -81,9 +93,10 @@ class Block;
 
 /// A place in a program that executes blocks of one stage. Local, outside the loop.
 template <int W, Mode M>
-class Site {
+class Site : private detail::Watched<M> {
  public:
-  LANESCOPE_INLINE Site(Tally& tally, std::size_t stage) : tally_(tally), stage_(stage) {}
+  LANESCOPE_INLINE Site(Tally& tally, std::size_t stage, Observer* observer)
+      : detail::Watched<M>(observer), tally_(tally), stage_(stage) {}
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
   LANESCOPE_INLINE ~Site() {
@@ -151,6 +164,10 @@ class Block {
     static constexpr Mode kMode = M;
     Block& block;
     LANESCOPE_INLINE Mask<W> active() const { return block.active_; }
+    void tell(const InstructionInfo& info, const std::source_location& at,
+              std::span<const Touch> touches) const {
+      block.tell_observer(info, true, at, touches);
+    }
     template <class Op>
     LANESCOPE_INLINE void charge() {
       block.template append<Op, true>();
@@ -163,7 +180,18 @@ class Block {
     append<Op, false>();
   }
 
+  /// Tells the observer of a tracing machine what is issued in the block.
+  void tell(const InstructionInfo& info, const std::source_location& at,
+            std::span<const Touch> touches) const {
+    tell_observer(info, false, at, touches);
+  }
+
  private:
+  void tell_observer(const InstructionInfo& info, bool overhead, const std::source_location& at,
+                     std::span<const Touch> touches) const {
+    site_.observer->issued({info, site_.stage_, W, active_.bits(), overhead, at, touches});
+  }
+
   template <class Op, bool kOverhead>
   LANESCOPE_INLINE void append() {
     if constexpr (M != Mode::kUncounted) {
@@ -237,16 +265,27 @@ class Machine {
   using Uint = VecOf<std::uint32_t>;
   using Lanes = Mask<W>;
 
-  explicit Machine(std::size_t stage_count) : tally_(W, stage_count) {}
+  /// A tracing machine needs an observer, which must outlive it; others have none.
+  explicit Machine(std::size_t stage_count, Observer* observer = nullptr)
+      : tally_(W, stage_count), observer_(observer) {
+    LANESCOPE_CHECK((observer != nullptr) == (M == Mode::kTracing),
+                    "a machine has an observer if and only if it is tracing");
+  }
 
   /// A place that executes blocks of a stage. Requires stage < stage_count.
-  LANESCOPE_INLINE Site<W, M> site(std::size_t stage) { return Site<W, M>(tally_, stage); }
+  LANESCOPE_INLINE Site<W, M> site(std::size_t stage) { return Site<W, M>(tally_, stage, observer_); }
+
+  /// Marks that the program takes its next batch of W elements of work. Not an instruction.
+  LANESCOPE_INLINE void begin_batch() {
+    if constexpr (M == Mode::kTracing) observer_->batch_begins();
+  }
 
   /// What has been counted by sites that have ended.
   Counts counts() const { return tally_.counts(); }
 
  private:
   Tally tally_;
+  Observer* observer_;
 };
 
 }  // namespace lanescope

@@ -14,6 +14,9 @@
 
 namespace lanescope {
 
+/// Size of a line of memory. Every Memory begins at the start of one.
+inline constexpr std::size_t kLineBytes = 64;
+
 /// A view of elements in memory. `written`, where not null, has a byte for each element, 0 until it
 /// has been stored to.
 template <class T>

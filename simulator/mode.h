@@ -9,6 +9,7 @@ namespace lanescope {
 enum class Mode {
   kCounting,   ///< Counts instructions and lanes.
   kChecked,    ///< Counts, tracks dead lanes, and checks every memory access.
+  kTracing,    ///< Counts, and shows every instruction to an Observer.
   kUncounted,  ///< Counts nothing: the program at native speed.
 };
 
@@ -18,6 +19,8 @@ constexpr std::string_view to_string(Mode mode) {
       return "counting";
     case Mode::kChecked:
       return "checked";
+    case Mode::kTracing:
+      return "tracing";
     case Mode::kUncounted:
       return "uncounted";
   }

@@ -9,18 +9,6 @@
 namespace lanescope {
 namespace {
 
-std::uint64_t charged(Charge charge, std::uint64_t executions, std::uint64_t active, int width) {
-  switch (charge) {
-    case Charge::kActiveLanes:
-      return active;
-    case Charge::kAllLanes:
-      return executions * static_cast<std::uint64_t>(width);
-    case Charge::kOneLane:
-      return executions;
-  }
-  return 0;
-}
-
 /// Calls f(info, times, overhead) for what a list holds.
 template <class F>
 void for_each_issued(const IssueList& list, F&& f) {
@@ -78,7 +66,7 @@ void Tally::add_list(Counts& counts, std::size_t stage_index, const List& list) 
                                    bool overhead) {
     length += times;
     const std::uint64_t issued = times * executions;
-    const std::uint64_t lanes = times * charged(info.charge, executions, active, width_);
+    const std::uint64_t lanes = times * charged_lanes(info.charge, executions, active, width_);
     counts.add(stage_index, {&info, issued, lanes, overhead ? issued : 0, overhead ? lanes : 0});
   });
   for (std::size_t k = 0; k < list.histogram.size(); ++k)

@@ -61,7 +61,7 @@ TEST(FillRule, AMeshCoversEverySampleOnce) {
           for (const Kernel* kernel : kernels()) {
             Frame frame(grid);
             const auto execution =
-                kernel->start(kernel->widths.front(), Mode::kCounting, options, frame);
+                kernel->start({kernel->widths.front(), Mode::kCounting, options, frame});
             execution->rasterize(packet);
             SCOPED_TRACE(fmt::format("{}, {}s, seed {}, step {}", kernel->name, to_string(shape),
                                      seed, step));

@@ -15,7 +15,7 @@ std::uint64_t Outcome::counter(const Kernel& kernel, std::string_view name) cons
 Outcome run(const Kernel& kernel, int width, Mode mode, const KernelOptions& options,
             const SampleGrid& grid, const std::vector<const Packet*>& packets) {
   Frame frame(grid);
-  const auto execution = kernel.start(width, mode, options, frame);
+  const auto execution = kernel.start({width, mode, options, frame});
   for (const Packet* packet : packets) execution->rasterize(*packet);
   return {execution->result(), frame.hash()};
 }

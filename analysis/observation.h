@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// What a tracing machine shows beside what a counting one counts: the lines of memory that
+// instructions touch, and the lines of source that issue them.
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "analysis/report.h"
+#include "simulator/observer.h"
+
+namespace lanescope {
+
+/// A set of numbers that is cleared in no time: for one instruction after another.
+class SmallSet {
+ public:
+  void clear() { ++generation_; }
+  /// Whether the number is new. Requires fewer than kSlots different numbers.
+  bool insert(std::uint64_t number);
+
+ private:
+  static constexpr std::size_t kSlots = 512;
+  struct Slot {
+    std::uint64_t number = 0;
+    std::uint64_t generation = 0;
+  };
+  std::array<Slot, kSlots> slots_{};
+  std::uint64_t generation_ = 1;
+};
+
+/// Sums of observed executions, by stage and instruction and by line of source. Observations merge
+/// by addition, so that packets may be observed in any order on any thread.
+class MemoryAndSource final : public Observer {
+ public:
+  void issued(const IssueEvent& event) override;
+  MemoryAndSource& operator+=(const MemoryAndSource& other);
+
+  /// The memory instructions of a stage, by mnemonic.
+  std::vector<MemoryRecord> memory(std::size_t stage) const;
+  /// By file, line and stage. `stages` names the kernel's stages.
+  std::vector<SourceLineRecord> source_lines(std::span<const std::string_view> stages) const;
+
+ private:
+  struct Issued {
+    std::uint64_t issued = 0;
+    std::uint64_t active = 0;
+    std::uint64_t overhead = 0;
+  };
+  struct Place {
+    const char* file;
+    std::uint32_t line;
+    std::size_t stage;
+    bool operator==(const Place&) const = default;
+  };
+  struct PlaceHash {
+    std::size_t operator()(const Place& place) const;
+  };
+
+  void touched(const IssueEvent& event);
+
+  SmallSet lines_touched_;
+  SmallSet elements_stored_;
+  std::unordered_map<Place, Issued, PlaceHash> lines_;
+  std::map<std::pair<std::size_t, std::string_view>, MemoryRecord> memory_;
+};
+
+/// Whether memory and source are observed in the packet that begins with that micropolygon. Depends
+/// on the packet alone; the first packet of a scene is always observed unless `every` is 0.
+bool is_observed(const Packet& packet, int every, int packet_capacity);
+
+}  // namespace lanescope
