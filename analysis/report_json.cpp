@@ -9,6 +9,7 @@
 #include "analysis/configuration_json.h"
 #include "analysis/figures.h"
 #include "analysis/json_text.h"
+#include "simulator/memory.h"
 
 namespace lanescope {
 namespace {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kMaxThreads = 256;
 constexpr int kMaxFrame = 1 << 20;
+constexpr int kMaxObserveEvery = 1 << 20;
 
 template <std::size_t kCount>
 std::string joined(const std::array<int, kCount>& values) {
@@ -51,6 +52,7 @@ void resolve_kernel_options(const ExperimentArguments& a, Configuration& c) {
   c.options.stream_load_threshold =
       parse_number({"--stream-load-threshold", a.stream_load_threshold}, 0.0f, 1.0f);
   c.mode = parse_choice({"--mode", a.mode}, kModes);
+  c.observe_every = parse_integer({"--observe-every", a.observe_every}, 0, kMaxObserveEvery);
 }
 
 std::vector<std::string> scene_names(bool (*wanted)(const SceneDescriptor&)) {
@@ -108,6 +110,7 @@ ExperimentArguments::ExperimentArguments() {
   stream_load_threshold = fmt::format("{}", c.options.stream_load_threshold);
   cull = name_of(kSwitch, c.options.cull_backfaces);
   mode = name_of(kModes, c.mode);
+  observe_every = fmt::format("{}", c.observe_every);
 }
 
 void add_experiment_options(CLI::App& app, ExperimentArguments& a) {
@@ -139,6 +142,8 @@ void add_experiment_options(CLI::App& app, ExperimentArguments& a) {
       "REPACK loads when this share of the lanes is free, 0 to 1");
   add("Kernels", "--cull", a.cull, "on|off", "Drop micropolygons that face away");
   add("Kernels", "--mode", a.mode, "MODE", "counting, checked or uncounted");
+  add("Kernels", "--observe-every", a.observe_every, "N",
+      "Memory and source lines are observed in one packet of N; 0 in none, 1 in all");
   add("Output", "--threads", a.threads, "N", "Threads; all of the host if left out");
 }
 
