@@ -10,6 +10,7 @@
 #include "analysis/files.h"
 #include "analysis/json_cursor.h"
 #include "analysis/report_json.h"
+#include "simulator/memory.h"
 
 namespace lanescope {
 namespace {
