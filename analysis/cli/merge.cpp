@@ -69,7 +69,7 @@ std::function<void()> declare(CLI::App& app) {
 
 extern const Command c_merge{"merge", "Makes one report of several, or of the cells of sweeps",
                              "  lanescope merge cells -o report.json\n"
-                             "  lanescope merge monday.json tuesday.json -o report.json",
+                             "  lanescope merge report.json cells -o all.json",
                              declare};
 
 }  // namespace lanescope

@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"{\n",
                 "2:1: is not JSON: syntax error while parsing object key - unexpected end "
                 "of input; expected string literal"},
-        Mistake{"[]", "/: [] is not an object"}, Mistake{"{}", "/: the member 'schema' is missing"},
+        Mistake{"[]", "/: an array is not an object"}, Mistake{"{}", "/: the member 'schema' is missing"},
         Mistake{R"({"schema": {"name": "lanescope-report", "version": 2}})",
                 "/schema/name: \"lanescope-report\" is not \"lanescope-sweep\""},
         Mistake{R"({"schema": {"name": "lanescope-sweep", "version": 2}})",

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <random>
@@ -215,23 +216,32 @@ class KilledSweep : public Sweep {
  protected:
   KilledSweep() { write("spec.json", kKillSpec); }
 
-  /// Starts the sweep and kills it after the delay. Returns whether that came before its end.
-  bool killed_after(std::chrono::microseconds delay) const {
+  /// Starts a sweep, in groups of one cell, and does not wait for it.
+  pid_t start(const char* shard) const {
     const pid_t child = ::fork();
-    if (child == 0) {
-      if (::chdir(directory().c_str()) != 0 || !std::freopen("errors", "w", stderr)) ::_exit(1);
-      ::execl(LANESCOPE_BINARY, "lanescope", "sweep", "spec.json", "--out", "out", "--group", "1",
-              nullptr);
-      ::_exit(1);
-    }
-    std::this_thread::sleep_for(delay);
-    ::kill(child, SIGKILL);
+    if (child != 0) return child;
+    if (::chdir(directory().c_str()) != 0 || !std::freopen("errors", "a", stderr)) ::_exit(1);
+    ::execl(LANESCOPE_BINARY, "lanescope", "sweep", "spec.json", "--out", "out", "--group", "1",
+            "--shard", shard, nullptr);
+    ::_exit(1);
+  }
+
+  /// Waits for the end of a sweep. Returns whether it was killed.
+  bool was_killed(pid_t child) const {
     int ended = 0;
     EXPECT_EQ(::waitpid(child, &ended, 0), child);
     if (WIFEXITED(ended)) {
       EXPECT_EQ(WEXITSTATUS(ended), 0) << file("errors");
     }
     return WIFSIGNALED(ended);
+  }
+
+  /// Starts the sweep and kills it after the delay. Returns whether that came before its end.
+  bool killed_after(std::chrono::duration<double, std::milli> delay) const {
+    const pid_t child = start("1/1");
+    std::this_thread::sleep_for(delay);
+    ::kill(child, SIGKILL);
+    return was_killed(child);
   }
 
   /// Every file of a cell is the whole report of one run of that name.
@@ -254,37 +264,45 @@ class KilledSweep : public Sweep {
 
 TEST_F(KilledSweep, LosesNothingThatWasFinished) {
   constexpr int kKills = 50;
-  run("sweep spec.json --out undisturbed");
+  run("sweep spec.json --out undisturbed --group 1");
   const std::string expected = merged("undisturbed");
+  const double wall_ms = nlohmann::json::parse(file("undisturbed/summary.json"))["wall_ms"];
   std::mt19937 random(20100610);
-  std::uniform_int_distribution<int> delay_us(5'000, 60'000);
-  int kills = 0;
-  int interrupted = 0;  // Kills that came when some cells were there, and others were not.
+  std::uniform_real_distribution<double> delay_ms(5.0, std::max(60.0, wall_ms / 4));
+  int kills = 0;  // Those that came when some cells were there, and others were not.
   for (int starts = 0; kills < kKills; ++starts) {
     ASSERT_LT(starts, 20 * kKills) << "sweeps end before they can be killed";
     const auto before = finished();
-    const bool killed = killed_after(std::chrono::microseconds(delay_us(random)));
+    const bool killed = killed_after(std::chrono::duration<double, std::milli>(delay_ms(random)));
     check_cells();
     const auto after = finished();
     for (const auto& [name, identity] : before) {
       ASSERT_TRUE(after.contains(name)) << name;
       EXPECT_EQ(after.at(name), identity) << name << " was done again";
     }
-    if (killed && after.size() < kKillCells) {
-      ++kills;
-      if (!after.empty()) ++interrupted;
-      continue;
-    }
+    if (killed && !after.empty() && after.size() < kKillCells) ++kills;
     if (after.size() < kKillCells) continue;
     run("sweep spec.json --out out");  // Removes what the last kill may have left.
     EXPECT_EQ(cells().size(), kKillCells);
     EXPECT_EQ(merged("out"), expected);
     fs::remove_all(directory() / "out");
   }
-  EXPECT_GT(interrupted, 0);
   run("sweep spec.json --out out");
   EXPECT_EQ(cells().size(), kKillCells) << "with leftovers of killed writes";
   EXPECT_EQ(merged("out"), expected);
+}
+
+TEST_F(KilledSweep, ProcessesMayWorkOnOneDirectoryAtATime) {
+  run("sweep spec.json --out alone");
+  for (const auto& [first, second] : {std::pair("1/2", "2/2"), {"1/1", "1/1"}}) {
+    fs::remove_all(directory() / "out");
+    const pid_t one = start(first);
+    const pid_t other = start(second);
+    EXPECT_FALSE(was_killed(one));
+    EXPECT_FALSE(was_killed(other));
+    EXPECT_EQ(cells().size(), kKillCells);
+    EXPECT_EQ(merged("out"), merged("alone"));
+  }
 }
 
 TEST_F(KilledSweep, LeftoversOfDeadProcessesGoAndThoseOfOthersStay) {
