@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "kernels/kernel.h"
 #include "workloads/mesh.h"
@@ -79,6 +80,14 @@ std::optional<Value> find_choice(const std::array<Choice<Value>, kCount>& choice
   for (const Choice<Value>& choice : choices)
     if (choice.name == name) return choice.value;
   return std::nullopt;
+}
+
+/// The names of descriptors: of kernels(), scenes(), tables().
+template <class Descriptor>
+std::vector<std::string> names_of(const std::vector<const Descriptor*>& descriptors) {
+  std::vector<std::string> names;
+  for (const Descriptor* descriptor : descriptors) names.emplace_back(descriptor->name);
+  return names;
 }
 
 /// The names of choices as a sentence lists them: `on or off`, `1, 4 or 9`.

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/configuration_json.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "analysis/json_text.h"
+#include "simulator/base/error.h"
 
 namespace lanescope {
 namespace {
@@ -27,62 +30,102 @@ float read_float(const JsonCursor& cursor) {
   return static_cast<float>(number);
 }
 
+using Source = const JsonCursor&;
+using From = const Configuration&;
+using Into = Configuration&;
+
+/// A parameter: its name, how it is written, and how it is read.
+struct Parameter {
+  std::string_view name;
+  Json (*write)(From c);
+  void (*read)(Source value, Into c);
+};
+
+/// In the order of the JSON form.
+constexpr Parameter kParameters[] = {
+    {"kernel", [](From c) { return Json(c.kernel); },
+     [](Source value, Into c) { c.kernel = value.string(); }},
+    {"width_lanes", [](From c) { return Json(c.width); },
+     [](Source value, Into c) { c.width = value.integer(1, kMaxWidth); }},
+    {"micropolygon", [](From c) { return Json(name_of(kShapes, c.shape())); },
+     [](Source value, Into c) { c.options.shape = read_choice(value, kShapes); }},
+    {"scene", [](From c) { return Json(c.scene); },
+     [](Source value, Into c) { c.scene = value.string(); }},
+    {"mesh_patches",
+     [](From c) { return c.is_mesh() ? Json(name_of(kMeshPatches, *c.mesh_patches)) : Json(); },
+     [](Source value, Into c) {
+       c.mesh_patches.reset();
+       if (!value.is_null()) c.mesh_patches = read_choice(value, kMeshPatches);
+     }},
+    {"frame", [](From c) { return Json(c.frame); },
+     [](Source value, Into c) { c.frame = value.integer(0); }},
+    {"turn_degrees", [](From c) { return Json(json_number(c.turn_degrees)); },
+     [](Source value, Into c) { c.turn_degrees = read_float(value); }},
+    {"mode", [](From c) { return Json(name_of(kModes, c.mode)); },
+     [](Source value, Into c) { c.mode = read_choice(value, kModes); }},
+    {"cull_backfaces", [](From c) { return Json(c.options.cull_backfaces); },
+     [](Source value, Into c) { c.options.cull_backfaces = value.boolean(); }},
+    {"edges", [](From c) { return Json(name_of(kEdges, c.options.edges)); },
+     [](Source value, Into c) { c.options.edges = read_choice(value, kEdges); }},
+    {"stream_load_threshold",
+     [](From c) { return Json(json_number(c.options.stream_load_threshold)); },
+     [](Source value, Into c) { c.options.stream_load_threshold = read_float(value); }},
+    {"width_px", [](From c) { return Json(c.tessellation.width_px); },
+     [](Source value, Into c) { c.tessellation.width_px = value.integer(1); }},
+    {"height_px", [](From c) { return Json(c.tessellation.height_px); },
+     [](Source value, Into c) { c.tessellation.height_px = value.integer(1); }},
+    {"samples_per_pixel", [](From c) { return Json(c.samples_per_pixel); },
+     [](Source value, Into c) { c.samples_per_pixel = value.integer(1); }},
+    {"jitter", [](From c) { return Json(c.jitter); },
+     [](Source value, Into c) { c.jitter = value.boolean(); }},
+    {"seed", [](From c) { return Json(c.seed); },
+     [](Source value, Into c) { c.seed = value.count(); }},
+    {"dice_area_px", [](From c) { return Json(json_number(c.tessellation.dice_area_px)); },
+     [](Source value, Into c) { c.tessellation.dice_area_px = read_float(value); }},
+    {"grid_limit", [](From c) { return Json(c.tessellation.grid_limit); },
+     [](Source value, Into c) { c.tessellation.grid_limit = value.integer(1); }},
+    {"packet_capacity", [](From c) { return Json(c.tessellation.packet_capacity); },
+     [](Source value, Into c) { c.tessellation.packet_capacity = value.integer(1); }},
+    {"grid_overlap_px", [](From c) { return Json(json_number(c.tessellation.grid_overlap_px)); },
+     [](Source value, Into c) { c.tessellation.grid_overlap_px = read_float(value); }},
+    {"observe_every", [](From c) { return Json(c.observe_every); },
+     [](Source value, Into c) { c.observe_every = value.integer(0); }},
+};
+
+const Parameter& find_parameter(std::string_view name) {
+  const auto* const found = std::find_if(std::begin(kParameters), std::end(kParameters),
+                                         [&](const Parameter& p) { return p.name == name; });
+  LANESCOPE_CHECK(found != std::end(kParameters), "{} is not a parameter", name);
+  return *found;
+}
+
 }  // namespace
 
-Json configuration_json(const Configuration& c) {
-  return {
-      {"kernel", c.kernel},
-      {"width_lanes", c.width},
-      {"micropolygon", name_of(kShapes, c.shape())},
-      {"scene", c.scene},
-      {"mesh_patches", c.is_mesh() ? Json(name_of(kMeshPatches, *c.mesh_patches)) : Json(nullptr)},
-      {"frame", c.frame},
-      {"turn_degrees", json_number(c.turn_degrees)},
-      {"mode", name_of(kModes, c.mode)},
-      {"cull_backfaces", c.options.cull_backfaces},
-      {"edges", name_of(kEdges, c.options.edges)},
-      {"stream_load_threshold", json_number(c.options.stream_load_threshold)},
-      {"width_px", c.tessellation.width_px},
-      {"height_px", c.tessellation.height_px},
-      {"samples_per_pixel", c.samples_per_pixel},
-      {"jitter", c.jitter},
-      {"seed", c.seed},
-      {"dice_area_px", json_number(c.tessellation.dice_area_px)},
-      {"grid_limit", c.tessellation.grid_limit},
-      {"packet_capacity", c.tessellation.packet_capacity},
-      {"grid_overlap_px", json_number(c.tessellation.grid_overlap_px)},
-      {"observe_every", c.observe_every}};
+std::vector<std::string> parameter_names() {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : kParameters) names.emplace_back(parameter.name);
+  return names;
+}
+
+Json parameter_json(std::string_view name, const Configuration& configuration) {
+  return find_parameter(name).write(configuration);
+}
+
+void read_parameter(std::string_view name, const JsonCursor& value, Configuration& configuration) {
+  find_parameter(name).read(value, configuration);
+}
+
+Json configuration_json(const Configuration& configuration) {
+  Json json = Json::object();
+  for (const Parameter& parameter : kParameters)
+    json[std::string(parameter.name)] = parameter.write(configuration);
+  return json;
 }
 
 Configuration read_configuration(const JsonCursor& cursor) {
-  cursor.require_members({"kernel", "width_lanes", "micropolygon", "scene", "mesh_patches", "frame",
-                          "turn_degrees", "mode", "cull_backfaces", "edges",
-                          "stream_load_threshold", "width_px", "height_px", "samples_per_pixel",
-                          "jitter", "seed", "dice_area_px", "grid_limit", "packet_capacity",
-                          "grid_overlap_px", "observe_every"});
+  cursor.require_members(parameter_names());
   Configuration c;
-  c.kernel = cursor.member("kernel").string();
-  c.width = cursor.member("width_lanes").integer(1, kMaxWidth);
-  c.options.shape = read_choice(cursor.member("micropolygon"), kShapes);
-  c.scene = cursor.member("scene").string();
-  const JsonCursor patches = cursor.member("mesh_patches");
-  if (!patches.is_null()) c.mesh_patches = read_choice(patches, kMeshPatches);
-  c.frame = cursor.member("frame").integer(0);
-  c.turn_degrees = read_float(cursor.member("turn_degrees"));
-  c.mode = read_choice(cursor.member("mode"), kModes);
-  c.options.cull_backfaces = cursor.member("cull_backfaces").boolean();
-  c.options.edges = read_choice(cursor.member("edges"), kEdges);
-  c.options.stream_load_threshold = read_float(cursor.member("stream_load_threshold"));
-  c.tessellation.width_px = cursor.member("width_px").integer(1);
-  c.tessellation.height_px = cursor.member("height_px").integer(1);
-  c.samples_per_pixel = cursor.member("samples_per_pixel").integer(1);
-  c.jitter = cursor.member("jitter").boolean();
-  c.seed = cursor.member("seed").count();
-  c.tessellation.dice_area_px = read_float(cursor.member("dice_area_px"));
-  c.tessellation.grid_limit = cursor.member("grid_limit").integer(1);
-  c.tessellation.packet_capacity = cursor.member("packet_capacity").integer(1);
-  c.tessellation.grid_overlap_px = read_float(cursor.member("grid_overlap_px"));
-  c.observe_every = cursor.member("observe_every").integer(0);
+  for (const Parameter& parameter : kParameters) parameter.read(cursor.member(parameter.name), c);
   return c;
 }
 

@@ -23,38 +23,8 @@ using Clock = std::chrono::steady_clock;
 using Indices = std::vector<std::size_t>;
 using Dictionary = std::map<std::string_view, const InstructionInfo*>;
 
-/// Frames of a group together, unless a single one is larger.
-constexpr std::int64_t kFrameBudgetBytes = std::int64_t{768} << 20;
-
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-std::int64_t frame_bytes(const Configuration& c) {
-  return c.sample_grid().sample_count() * static_cast<std::int64_t>(sizeof(std::uint64_t));
-}
-
-/// Indices of configurations that run together: they share a tessellation, and their frames fit the
-/// budget.
-std::vector<Indices> group(const std::vector<Configuration>& configurations) {
-  struct Group {
-    Indices members;
-    std::int64_t bytes = 0;
-  };
-  std::vector<Group> groups;
-  for (std::size_t i = 0; i < configurations.size(); ++i) {
-    const std::int64_t bytes = frame_bytes(configurations[i]);
-    auto place = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
-      return same_tessellation(configurations[g.members.front()], configurations[i]) &&
-             g.bytes + bytes <= kFrameBudgetBytes;
-    });
-    if (place == groups.end()) place = groups.insert(groups.end(), Group{});
-    place->members.push_back(i);
-    place->bytes += bytes;
-  }
-  std::vector<Indices> indices;
-  for (Group& g : groups) indices.push_back(std::move(g.members));
-  return indices;
 }
 
 /// One configuration while its group runs.
@@ -73,8 +43,8 @@ class Observed {
         member.kernel->stages.empty())
       return;
     seen_ = std::make_unique<MemoryAndSource>();
-    execution_ = member.kernel->start({configuration_.width, Mode::kTracing,
-                                       configuration_.options, *member.frame, seen_.get()});
+    execution_ = member.kernel->start(
+        {configuration_.width, Mode::kTracing, configuration_.options, *member.frame, seen_.get()});
   }
 
   void take(const Packet& packet) {
@@ -298,7 +268,7 @@ Report run_experiment(const std::vector<Configuration>& configurations,
   report.timing.kernel_ms.resize(configurations.size());
   Dictionary dictionary;
   FramePool frames;
-  const std::vector<Indices> groups = group(configurations);
+  const std::vector<Indices> groups = group_by_tessellation(configurations, options.group_limits);
   for (std::size_t i = 0; i < groups.size(); ++i) {
     GroupRun run(configurations, groups[i], options, frames);
     run.run(report, dictionary, [&](double fraction) {

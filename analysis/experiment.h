@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "analysis/experiment_groups.h"
 #include "analysis/image.h"
 #include "analysis/report.h"
 #include "kernels/frame.h"
@@ -20,6 +21,7 @@ struct FinishedFrame {
 
 struct ExperimentOptions {
   int threads = 1;
+  GroupLimits group_limits;
   /// Called with the finished share of the work, from 0 to 1, on the caller's thread.
   std::function<void(double fraction)> progress;
   /// Called with the finished frame of each configuration, on the caller's thread. Frames are not

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -27,6 +29,22 @@ bool write_all(int descriptor, std::string_view contents) {
   return true;
 }
 
+/// Stands between the name of a file and the id of the process that writes it.
+constexpr std::string_view kTemporaryMark = ".tmp-";
+
+/// The process that writes, or wrote, a temporary file of that name; 0 if it is not one.
+pid_t writer_of(const std::string& name) {
+  const std::size_t mark = name.rfind(kTemporaryMark);
+  if (mark == name.npos) return 0;
+  const char* const first = name.data() + mark + kTemporaryMark.size();
+  const char* const last = name.data() + name.size();
+  pid_t process = 0;
+  const auto read = std::from_chars(first, last, process);
+  return read.ec == std::errc() && read.ptr == last && process > 0 ? process : 0;
+}
+
+bool is_running(pid_t process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
@@ -42,7 +60,8 @@ std::string read_file(const std::string& path) {
 }
 
 AtomicFile::AtomicFile(std::string path)
-    : path_(std::move(path)), temporary_path_(fmt::format("{}.tmp-{}", path_, ::getpid())) {
+    : path_(std::move(path)),
+      temporary_path_(fmt::format("{}{}{}", path_, kTemporaryMark, ::getpid())) {
   std::error_code error;
   if (path_.empty() || std::filesystem::is_directory(path_, error))
     throw InputError(path_.empty() ? "output file" : path_, "is not the name of a file");
@@ -65,6 +84,14 @@ void AtomicFile::commit(std::string_view contents) {
 
 void write_file(const std::string& path, std::string_view contents) {
   AtomicFile(path).commit(contents);
+}
+
+void remove_dead_temporaries(const std::string& directory) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, error)) {
+    const pid_t writer = writer_of(entry.path().filename());
+    if (writer != 0 && !is_running(writer)) std::filesystem::remove(entry.path(), error);
+  }
 }
 
 void make_directory(const std::string& path) {

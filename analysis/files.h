@@ -36,6 +36,10 @@ class AtomicFile {
 /// Writes a file atomically. Throws InputError if that fails.
 void write_file(const std::string& path, std::string_view contents);
 
+/// Removes the temporary files that AtomicFile left in a directory when its process was killed.
+/// Files of processes that still run stay, and so does everything if there is no such directory.
+void remove_dead_temporaries(const std::string& directory);
+
 /// Creates a directory and its parents where they are missing. Throws InputError if that fails.
 void make_directory(const std::string& path);
 

@@ -68,11 +68,25 @@ Json parse_json(std::string_view text, const std::string& file) {
 }
 
 void JsonCursor::require_members(const std::vector<std::string>& names) const {
-  if (!value_->is_object()) fail("an object");
-  for (const auto& [key, item] : value_->items())
+  allow_members(names);
+  for (const std::string& name : names) require_member(name);
+}
+
+void JsonCursor::allow_members(const std::vector<std::string>& names) const {
+  for (const std::string& key : member_names())
     if (std::find(names.begin(), names.end(), key) == names.end())
       throw InputError(where(), "unknown member '{}'{}", key, did_you_mean(key, names));
-  for (const std::string& name : names) require_member(name);
+}
+
+bool JsonCursor::has_member(std::string_view name) const {
+  return value_->is_object() && value_->contains(std::string(name));
+}
+
+std::vector<std::string> JsonCursor::member_names() const {
+  if (!value_->is_object()) fail("an object");
+  std::vector<std::string> names;
+  for (const auto& [key, item] : value_->items()) names.push_back(key);
+  return names;
 }
 
 void JsonCursor::require_member(const std::string& name) const {

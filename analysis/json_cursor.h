@@ -30,7 +30,13 @@ class JsonCursor {
 
   /// Checks that the value is an object with exactly these members.
   void require_members(const std::vector<std::string>& names) const;
+  /// Checks that the value is an object with no other members than these.
+  void allow_members(const std::vector<std::string>& names) const;
+  bool has_member(std::string_view name) const;
   JsonCursor member(std::string_view name) const;
+  /// The names of the members in their order. Throws InputError if the value is not an object.
+  std::vector<std::string> member_names() const;
+  bool is_array() const { return value_->is_array(); }
   /// The elements. Throws InputError if the value is not an array.
   std::vector<JsonCursor> items() const;
 

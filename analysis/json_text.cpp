@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace lanescope {
@@ -56,6 +57,8 @@ void append(std::string& text, const Json& value, std::size_t indent) {
 }  // namespace
 
 double json_number(float value) { return std::strtod(fmt::format("{}", value).c_str(), nullptr); }
+
+double json_ms(double ms) { return std::round(ms * 1000.0) / 1000.0; }
 
 std::string json_text(const Json& value) {
   std::string text;

@@ -12,6 +12,9 @@ namespace lanescope {
 /// and not as 0.10000000149.
 double json_number(float value);
 
+/// A time, to the microsecond.
+double json_ms(double ms);
+
 /// The document, with a newline at the end. Values that are not finite are written as null.
 std::string json_text(const nlohmann::ordered_json& value);
 

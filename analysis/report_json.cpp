@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "analysis/configuration_json.h"
 #include "analysis/figures.h"
 #include "analysis/json_text.h"
@@ -17,9 +15,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string hex(std::uint64_t value) { return fmt::format("{:#018x}", value); }
-
-/// Microseconds are enough for times.
-double rounded_ms(double ms) { return std::round(ms * 1000.0) / 1000.0; }
 
 Json ratio_json(const Ratio& ratio) {
   const auto value = ratio.value();
@@ -97,7 +92,27 @@ Json metric_json(const RunRecord& run, const MetricRecord& metric) {
           {"ratio", ratio_json(ratio)}};
 }
 
-Json run_json(const RunRecord& run) {
+Json entry_json(const InstructionEntry& entry) {
+  return {{"mnemonic", entry.mnemonic},
+          {"meaning", entry.meaning},
+          {"class", entry.instruction_class},
+          {"charge", entry.charge}};
+}
+
+Json timing_json(const Timing& timing) {
+  return {{"wall_ms", json_ms(timing.wall_ms)},
+          {"threads", timing.threads},
+          {"host", timing.host},
+          {"compiler", timing.compiler},
+          {"kernel_ms", list_json(timing.kernel_ms, json_ms)},
+          {"dicing_ms", json_ms(timing.dicing_ms)},
+          {"observation_ms", json_ms(timing.observation_ms)},
+          {"peak_memory_bytes", timing.peak_memory_bytes}};
+}
+
+}  // namespace
+
+Json to_json(const RunRecord& run) {
   const Configuration& c = run.configuration;
   return {{"parameters", configuration_json(c)},
           {"scene_hash", hex(run.scene_hash)},
@@ -116,38 +131,18 @@ Json run_json(const RunRecord& run) {
           {"samples_covered", run.samples_covered}};
 }
 
-Json entry_json(const InstructionEntry& entry) {
-  return {{"mnemonic", entry.mnemonic},
-          {"meaning", entry.meaning},
-          {"class", entry.instruction_class},
-          {"charge", entry.charge}};
-}
-
-Json timing_json(const Timing& timing) {
-  return {{"wall_ms", rounded_ms(timing.wall_ms)},
-          {"threads", timing.threads},
-          {"host", timing.host},
-          {"compiler", timing.compiler},
-          {"kernel_ms", list_json(timing.kernel_ms, rounded_ms)},
-          {"dicing_ms", rounded_ms(timing.dicing_ms)},
-          {"observation_ms", rounded_ms(timing.observation_ms)},
-          {"peak_memory_bytes", timing.peak_memory_bytes}};
-}
-
-}  // namespace
-
 Json to_json(const Report& report) {
-  return {{"schema", {{"name", kReportSchema}, {"version", kReportVersion}}},
-          {"made_by",
-           {{"program", "lanescope"},
-            {"version", report.program_version},
-            {"commit", report.commit.empty() ? Json(nullptr) : Json(report.commit)},
-            {"command", report.command}}},
-          {"machine",
-           {{"line_bytes", kLineBytes}, {"element_types", {"float32", "int32", "uint32"}}}},
-          {"instructions", list_json(report.instructions, entry_json)},
-          {"runs", list_json(report.runs, run_json)},
-          {"timing", timing_json(report.timing)}};
+  return {
+      {"schema", {{"name", kReportSchema}, {"version", kReportVersion}}},
+      {"made_by",
+       {{"program", "lanescope"},
+        {"version", report.program_version},
+        {"commit", report.commit.empty() ? Json(nullptr) : Json(report.commit)},
+        {"command", report.command}}},
+      {"machine", {{"line_bytes", kLineBytes}, {"element_types", {"float32", "int32", "uint32"}}}},
+      {"instructions", list_json(report.instructions, entry_json)},
+      {"runs", list_json(report.runs, [](const RunRecord& run) { return to_json(run); })},
+      {"timing", timing_json(report.timing)}};
 }
 
 std::string report_text(const Report& report) { return json_text(to_json(report)); }

@@ -12,6 +12,8 @@
 namespace lanescope {
 
 nlohmann::ordered_json to_json(const Report& report);
+/// One element of the member `runs`.
+nlohmann::ordered_json to_json(const RunRecord& run);
 
 /// to_json as a document: one line for each list of numbers. Byte-identical for equal reports; all
 /// that depends on the clock or the host is in the last member, `timing`.

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "analysis/cli/values.h"
+#include "analysis/configuration_limits.h"
 #include "analysis/scene_source.h"
 #include "analysis/thesis.h"
 
@@ -13,12 +14,17 @@ namespace lanescope {
 namespace {
 
 constexpr int kMaxThreads = 256;
-constexpr int kMaxFrame = 1 << 20;
-constexpr int kMaxObserveEvery = 1 << 20;
 
-template <std::size_t kCount>
-std::string joined(const std::array<int, kCount>& values) {
-  return fmt::format("{}", fmt::join(values, ","));
+/// An integer within the limits of a parameter of that name.
+int parse_integer_of(std::string_view parameter, const Argument& argument) {
+  const Limits& limits = *find_limits(parameter);
+  return parse_integer(argument, static_cast<int>(limits.low), static_cast<int>(limits.high));
+}
+
+/// A number within the limits of a parameter of that name.
+float parse_number_of(std::string_view parameter, const Argument& argument) {
+  const Limits& limits = *find_limits(parameter);
+  return parse_number(argument, static_cast<float>(limits.low), static_cast<float>(limits.high));
 }
 
 void parse_resolution(const std::string& text, TessellationOptions& options) {
@@ -26,21 +32,22 @@ void parse_resolution(const std::string& text, TessellationOptions& options) {
   const std::size_t cross = text.find('x');
   if (cross == text.npos) argument.fail("of the form WIDTHxHEIGHT, as 1728x1080");
   const std::string_view all = text;
-  options.width_px = parse_integer({argument.option, all.substr(0, cross)}, 1, 16384);
-  options.height_px = parse_integer({argument.option, all.substr(cross + 1)}, 1, 16384);
+  options.width_px = parse_integer_of("width_px", {argument.option, all.substr(0, cross)});
+  options.height_px = parse_integer_of("height_px", {argument.option, all.substr(cross + 1)});
 }
 
 void resolve_tessellation(const ExperimentArguments& a, TessellationOptions& options) {
   parse_resolution(a.resolution, options);
-  options.dice_area_px = parse_number({"--dice-area", a.dice_area}, 0.01f, 10000.0f);
-  options.grid_limit = parse_integer({"--grid", a.grid}, 1, 128);
-  options.packet_capacity = parse_integer({"--drain", a.drain}, 1, 1 << 20);
+  options.dice_area_px = parse_number_of("dice_area_px", {"--dice-area", a.dice_area});
+  options.grid_limit = parse_integer_of("grid_limit", {"--grid", a.grid});
+  options.packet_capacity = parse_integer_of("packet_capacity", {"--drain", a.drain});
 }
 
 void resolve_sampling(const ExperimentArguments& a, Configuration& c) {
-  const std::vector<std::string> counts{"1", "4", "9", "16", "64"};
-  const std::string name = parse_name({"--msaa", a.msaa}, "a number of samples a pixel", counts);
-  c.samples_per_pixel = parse_integer({"--msaa", name}, 1, 64);
+  std::vector<std::string> counts;
+  for (const int count : kSampleCounts) counts.push_back(std::to_string(count));
+  c.samples_per_pixel =
+      std::stoi(parse_name({"--msaa", a.msaa}, "a number of samples a pixel", counts));
   c.jitter = parse_choice({"--jitter", a.jitter}, kSwitch);
   c.seed = parse_seed({"--seed", a.seed});
   c.sample_grid();  // Refuses frames that are too large at that many samples.
@@ -49,10 +56,10 @@ void resolve_sampling(const ExperimentArguments& a, Configuration& c) {
 void resolve_kernel_options(const ExperimentArguments& a, Configuration& c) {
   c.options.cull_backfaces = parse_choice({"--cull", a.cull}, kSwitch);
   c.options.edges = parse_choice({"--edges", a.edges}, kEdges);
-  c.options.stream_load_threshold =
-      parse_number({"--stream-load-threshold", a.stream_load_threshold}, 0.0f, 1.0f);
+  c.options.stream_load_threshold = parse_number_of(
+      "stream_load_threshold", {"--stream-load-threshold", a.stream_load_threshold});
   c.mode = parse_choice({"--mode", a.mode}, kModes);
-  c.observe_every = parse_integer({"--observe-every", a.observe_every}, 0, kMaxObserveEvery);
+  c.observe_every = parse_integer_of("observe_every", {"--observe-every", a.observe_every});
 }
 
 std::vector<std::string> scene_names(bool (*wanted)(const SceneDescriptor&)) {
@@ -81,7 +88,7 @@ std::vector<std::string> resolve_scene_names(const std::string& text, DefaultSce
 
 int resolve_frame(const std::string& text, const SceneDescriptor& scene) {
   if (text.empty()) return scene.default_frame;
-  const int frame = parse_integer({"--frame", text}, 0, kMaxFrame);
+  const int frame = parse_integer_of("frame", {"--frame", text});
   if (frame >= scene.frame_count)
     throw InputError("--frame", "{} is not a frame of {}; use 0 to {}", frame, scene.name,
                      scene.frame_count - 1);
@@ -150,7 +157,7 @@ void add_experiment_options(CLI::App& app, ExperimentArguments& a) {
 std::vector<Configuration> resolve_scenes(const ExperimentArguments& arguments,
                                           DefaultScenes default_scenes) {
   Configuration shared;
-  shared.turn_degrees = parse_number({"--turn", arguments.turn}, -360.0f, 360.0f);
+  shared.turn_degrees = parse_number_of("turn_degrees", {"--turn", arguments.turn});
   resolve_tessellation(arguments, shared.tessellation);
   resolve_sampling(arguments, shared);
   resolve_kernel_options(arguments, shared);
@@ -167,9 +174,8 @@ std::vector<Configuration> resolve_scenes(const ExperimentArguments& arguments,
   return configurations;
 }
 
-int resolve_threads(const ExperimentArguments& arguments) {
-  if (!arguments.threads.empty())
-    return parse_integer({"--threads", arguments.threads}, 1, kMaxThreads);
+int resolve_threads(const std::string& text) {
+  if (!text.empty()) return parse_integer({"--threads", text}, 1, kMaxThreads);
   const int available = static_cast<int>(std::thread::hardware_concurrency());
   return std::clamp(available, 1, kMaxThreads);
 }

@@ -52,7 +52,7 @@ std::vector<Configuration> resolve_scenes(const ExperimentArguments& arguments,
                                           DefaultScenes default_scenes);
 
 /// Threads to use: as asked, or as many as the host has.
-int resolve_threads(const ExperimentArguments& arguments);
+int resolve_threads(const std::string& text);
 
 /// Names of kernels from a list.
 std::vector<std::string> resolve_kernels(const std::string& text);

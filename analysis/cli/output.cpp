@@ -41,7 +41,7 @@ std::string command_of(const CLI::App& app) {
   std::string command = "lanescope " + app.get_name();
   for (const CLI::Option* option : app.get_options()) {
     if (option->count() == 0 || option->get_group() == "Output") continue;
-    command += ' ' + option->get_name();
+    if (!option->get_positional()) command += ' ' + option->get_name();
     for (const std::string& value : option->results()) command += ' ' + quoted(value);
   }
   return command;

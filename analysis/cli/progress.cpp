@@ -36,13 +36,14 @@ double Progress::elapsed_s() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-void Progress::update(double fraction) {
+void Progress::update(double fraction, std::string_view detail) {
   const double elapsed = elapsed_s();
   if (elapsed < next_s_) return;
   next_s_ = terminal_ ? elapsed + kTerminalPeriod_s : elapsed * kBackOff;
   drawn_ = true;
   std::string text =
       fmt::format("{}: {:.0f}%, {}", title_, 100.0 * fraction, duration_text(elapsed));
+  if (!detail.empty()) text += fmt::format(", {}", detail);
   if (fraction > 0.0)
     text += fmt::format(", about {} left", duration_text(elapsed * (1.0 / fraction - 1.0)));
   text = terminal_ ? fmt::format("\r{}\033[K", text) : text + '\n';

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 namespace lanescope {
 
@@ -18,8 +19,8 @@ class Progress {
   /// Clears the line on a terminal.
   ~Progress();
 
-  /// `fraction` of the work is done, from 0 to 1.
-  void update(double fraction);
+  /// `fraction` of the work is done, from 0 to 1. `detail` says more about it.
+  void update(double fraction, std::string_view detail = {});
   double elapsed_s() const;
 
  private:

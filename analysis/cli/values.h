@@ -46,12 +46,4 @@ Value parse_choice(const Argument& argument, const std::array<Choice<Value>, kCo
                    did_you_mean(argument.text, names));
 }
 
-/// The names of descriptors: of kernels(), scenes(), tables().
-template <class Descriptor>
-std::vector<std::string> names_of(const std::vector<const Descriptor*>& descriptors) {
-  std::vector<std::string> names;
-  for (const Descriptor* descriptor : descriptors) names.emplace_back(descriptor->name);
-  return names;
-}
-
 }  // namespace lanescope

@@ -36,10 +36,11 @@ const std::string kTables =
 
 const std::vector<BadLine> kBadLines{
     // Commands and their arguments.
-    {"", "command: none given; use run, tables, list or render"},
+    {"", "command: none given; use run, sweep, merge, tables, list or render"},
     {"runn",
-     "command: 'runn' is not a command; use run, tables, list or render; did you mean 'run'?"},
-    {"zzzzzz", "command: 'zzzzzz' is not a command; use run, tables, list or render"},
+     "command: 'runn' is not a command; use run, sweep, merge, tables, list or render; did you "
+     "mean 'run'?"},
+    {"zzzzzz", "command: 'zzzzzz' is not a command; use run, sweep, merge, tables, list or render"},
     {"--versoin", "--versoin: is not an option of lanescope; did you mean '--version'?"},
     {"run teapot", "run: unexpected argument 'teapot'"},
     {"run --widht 8", "--widht: is not an option of run; did you mean '--width'?"},

@@ -19,7 +19,8 @@ TEST_P(Help, GoesToStandardOutputWithAnExample) {
   EXPECT_NE(help.output.find("Examples:\n  lanescope "), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, Help, ::testing::Values("", "run", "tables", "list", "render"),
+INSTANTIATE_TEST_SUITE_P(Commands, Help,
+                         ::testing::Values("", "run", "sweep", "merge", "tables", "list", "render"),
                          [](const auto& info) {
                            return info.param.empty() ? std::string("program") : info.param;
                          });
