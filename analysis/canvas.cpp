@@ -4,7 +4,8 @@
 #include <cairo-svg.h>
 #include <cairo.h>
 
-#include <cstring>
+#include <string_view>
+#include <utility>
 
 #include "analysis/palette.h"
 #include "simulator/base/error.h"
@@ -53,6 +54,14 @@ SurfacePointer bitmap_of(const Image& image) {
 cairo_status_t append_to(void* text, const unsigned char* bytes, unsigned int size) {
   static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), size);
   return CAIRO_STATUS_SUCCESS;
+}
+
+/// Takes out the number that Cairo gives a surface: it counts those of the process, and the same
+/// drawing is to give the same bytes.
+void remove_surface_number(std::string& svg) {
+  constexpr std::string_view kBegin = " id=\"surface";
+  const std::size_t begin = svg.find(kBegin);
+  if (begin != svg.npos) svg.erase(begin, svg.find('"', begin + kBegin.size()) + 1 - begin);
 }
 
 }  // namespace
@@ -147,6 +156,7 @@ class SvgCanvas final : public Canvas {
   std::string finish() override {
     surface().check();
     cairo_surface_finish(surface().surface.get());
+    remove_surface_number(surface().written);
     return std::move(surface().written);
   }
 
@@ -156,8 +166,6 @@ class SvgCanvas final : public Canvas {
     surface->open(SurfacePointer(
         cairo_svg_surface_create_for_stream(append_to, &surface->written, width_px, height_px)));
     cairo_svg_surface_set_document_unit(surface->surface.get(), CAIRO_SVG_UNIT_PX);
-    // Not smoothed: no seams between rectangles that touch.
-    cairo_set_antialias(surface->context.get(), CAIRO_ANTIALIAS_NONE);
     return surface;
   }
 };

@@ -161,8 +161,10 @@ class Picture {
   }
 
   void lanes(const LaneStrip& strip, int top) {
-    if (strip.columns() == 0) return;
     const int height = lane_height(strip);
+    canvas_->fill(kLaneOff, {kLeft, static_cast<double>(top),
+                             static_cast<double>(strip.columns()) * column_px_,
+                             static_cast<double>(strip_height(strip))});
     // By colour: an SVG then has one path for each.
     std::map<Colour, std::vector<Rectangle>> fills;
     for (int lane = 0; lane < strip.width(); ++lane)
@@ -170,6 +172,7 @@ class Picture {
         const Colour colour = lane_colour(strip, first, lane);
         for (next = first + 1; next < strip.columns(); ++next)
           if (lane_colour(strip, next, lane) != colour) break;
+        if (colour == kLaneOff) continue;
         fills[colour].push_back({kLeft + static_cast<double>(first) * column_px_,
                                  static_cast<double>(top + lane * height),
                                  static_cast<double>(next - first) * column_px_,

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
+#include <memory>
 #include <numeric>
 
 #include "analysis/experiment.h"
