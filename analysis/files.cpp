@@ -75,9 +75,15 @@ AtomicFile::~AtomicFile() {
   ::unlink(temporary_path_.c_str());
 }
 
-void AtomicFile::commit(std::string_view contents) {
-  LANESCOPE_CHECK(descriptor_ >= 0, "{} is committed twice", path_);
-  if (!write_all(descriptor_, contents) || std::rename(temporary_path_.c_str(), path_.c_str()) != 0)
+void AtomicFile::append(std::string_view contents) {
+  LANESCOPE_CHECK(descriptor_ >= 0, "{} is written after it was committed", path_);
+  if (!write_all(descriptor_, contents))
+    throw InputError(path_, "cannot be written: {}", std::strerror(errno));
+}
+
+void AtomicFile::commit(std::string_view rest) {
+  append(rest);
+  if (std::rename(temporary_path_.c_str(), path_.c_str()) != 0)
     throw InputError(path_, "cannot be written: {}", std::strerror(errno));
   ::close(std::exchange(descriptor_, -1));
 }

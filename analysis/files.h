@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole files, read at once and written atomically.
+// Whole files: read at once, written atomically.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,9 @@ namespace lanescope {
 /// The contents of a file. Throws InputError if it cannot be read.
 std::string read_file(const std::string& path);
 
-/// A file that appears whole or not at all: text goes to a temporary name beside it, and commit()
-/// renames that. Opening it early finds an unwritable place before the work is done.
+/// A file that appears whole or not at all: text goes to a temporary name beside it, at once or
+/// piece by piece, and commit() renames that. Opening it early finds an unwritable place before the
+/// work is done.
 class AtomicFile {
  public:
   /// Throws InputError if the temporary file cannot be created.
@@ -23,9 +24,12 @@ class AtomicFile {
   ~AtomicFile();
 
   const std::string& path() const { return path_; }
-  /// Writes the contents and gives the file its name. Throws InputError if either fails; the old
-  /// file, if any, is then untouched. Requires that it is called once.
-  void commit(std::string_view contents);
+  /// Writes more of the contents. Throws InputError if that fails. Requires that it is not
+  /// committed.
+  void append(std::string_view contents);
+  /// Writes the rest of the contents and gives the file its name. Throws InputError if either
+  /// fails; the old file, if any, is then untouched. Requires that it is called once.
+  void commit(std::string_view rest = {});
 
  private:
   std::string path_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // RASTMP (the thesis, figure 3.1) as plain scalar code: the reference that every other kernel's
 // hits and frame are compared with.
+#include "kernels/rastmp.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,8 +25,12 @@ float max(float a, float b) { return a > b ? a : b; }
 
 class Rastmp final : public Execution {
  public:
-  Rastmp(const KernelOptions& options, Frame& frame)
-      : options_(options), frame_(frame), grid_(frame.grid()), n_(corner_count(options.shape)) {}
+  Rastmp(const KernelOptions& options, Frame& frame, SampleObserver* observer)
+      : options_(options),
+        frame_(frame),
+        grid_(frame.grid()),
+        observer_(observer),
+        n_(corner_count(options.shape)) {}
 
   void rasterize(const Packet& packet) override {
     for (int i = 0; i < packet.size(); ++i) {
@@ -101,6 +107,7 @@ class Rastmp final : public Execution {
   void test(std::uint64_t id, int x, int y) {
     ++counts_[kTests];
     const auto sample = static_cast<std::uint32_t>(y * grid_.width_cells() + x);
+    if (observer_) observer_->tested(sample);
     const std::size_t offset = 2 * std::size_t{sample % SampleGrid::kJitterPeriod};
     const float px = static_cast<float>(x) + grid_.jitter()[offset];
     const float py = static_cast<float>(y) + grid_.jitter()[offset + 1];
@@ -111,7 +118,7 @@ class Rastmp final : public Execution {
     if (!covers(edges)) return;
     ++counts_[kHits];
     hits_hash_ += hit_hash(id, sample);
-    process(sample, edges);
+    process(id, sample, edges);
   }
 
   const Corner& from(int k) const { return corners_[k]; }
@@ -150,7 +157,7 @@ class Rastmp final : public Execution {
     return true;
   }
 
-  void process(std::uint32_t sample, const float (&e)[4]) {
+  void process(std::uint64_t id, std::uint32_t sample, const float (&e)[4]) {
     float weights[4];
     if (n_ == 3) {
       weights[0] = e[1] * inverse_area_;
@@ -169,14 +176,17 @@ class Rastmp final : public Execution {
       for (int k = 1; k < n_; ++k) sum = std::fma(weights[k], corners_[k].*attribute, sum);
       return sum;
     };
-    const auto colour = pack_channels(blend(&Corner::red), blend(&Corner::green),
-                                      blend(&Corner::blue), blend(&Corner::alpha));
-    frame_.merge(sample, blend(&Corner::z), static_cast<std::uint32_t>(colour));
+    const auto colour = static_cast<std::uint32_t>(pack_channels(
+        blend(&Corner::red), blend(&Corner::green), blend(&Corner::blue), blend(&Corner::alpha)));
+    const float depth = blend(&Corner::z);
+    frame_.merge(sample, depth, colour);
+    if (observer_) observer_->hit(id, sample, depth, colour);
   }
 
   KernelOptions options_;
   Frame& frame_;
   const SampleGrid& grid_;
+  SampleObserver* observer_;
   int n_;
   Corner corners_[4]{};
   float area_ = 0.0f;
@@ -186,10 +196,15 @@ class Rastmp final : public Execution {
 };
 
 std::unique_ptr<Execution> start(const Launch& launch) {
-  return std::make_unique<Rastmp>(launch.options, launch.frame);
+  return std::make_unique<Rastmp>(launch.options, launch.frame, nullptr);
 }
 
 }  // namespace
+
+std::unique_ptr<Execution> start_observed_rastmp(const KernelOptions& options, Frame& frame,
+                                                 SampleObserver& observer) {
+  return std::make_unique<Rastmp>(options, frame, &observer);
+}
 
 extern const Kernel k_rastmp;
 const Kernel k_rastmp{

@@ -32,6 +32,11 @@ Destination::Destination(const std::string& path) : is_stdout_(path == "-") {
   if (!path.empty() && !is_stdout_) file_ = std::make_unique<AtomicFile>(path);
 }
 
+void Destination::append(std::string_view text) {
+  if (is_stdout_) print(text);
+  if (file_) file_->append(text);
+}
+
 void Destination::write(std::string_view text) {
   if (is_stdout_) print(text);
   if (file_) file_->commit(text);

@@ -24,7 +24,11 @@ class Destination {
  public:
   explicit Destination(const std::string& path);
   bool is_stdout() const { return is_stdout_; }
-  void write(std::string_view text);
+  bool is_none() const { return !is_stdout_ && !file_; }
+  /// Writes more of the document; a file appears with write().
+  void append(std::string_view text);
+  /// Writes the rest of the document, or all of it.
+  void write(std::string_view text = {});
 
  private:
   bool is_stdout_;

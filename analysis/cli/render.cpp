@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `lanescope render`: a picture of a scene, drawn by a kernel.
+// `lanescope render`: a picture of a scene, drawn by a kernel, or of what happens at its samples.
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -7,15 +7,26 @@
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
+#include "analysis/cli/values.h"
 #include "analysis/experiment.h"
+#include "analysis/heat_map.h"
 #include "analysis/image.h"
+#include "analysis/sample_maps.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {
 namespace {
 
+enum class Show { kFrame, kTests, kHits, kMicropolygons };
+
+constexpr std::array<Choice<Show>, 4> kShows{{{"frame", Show::kFrame},
+                                              {"tests", Show::kTests},
+                                              {"hits", Show::kHits},
+                                              {"micropolygons", Show::kMicropolygons}}};
+
 struct Arguments {
   ExperimentArguments experiment;
+  std::string show = "frame";
   std::string kernel = "lockstep";
   std::string width;
   std::string micropolygon = "quad";
@@ -36,7 +47,61 @@ Configuration resolve(const Arguments& arguments) {
   return all.front();
 }
 
+std::string frame_png(const Configuration& configuration, const ExperimentOptions& asked) {
+  std::string bytes;
+  ExperimentOptions options = asked;
+  options.on_frame = [&](const FinishedFrame& finished) {
+    bytes = png(resolve(finished.frame, finished.background));
+  };
+  run_experiment({configuration}, options);
+  return bytes;
+}
+
+std::string counts_png(const Configuration& c, const ExperimentOptions& options,
+                       SampleCounter::What what) {
+  const SampleGrid grid = c.sample_grid();
+  SampleCounter counter(grid, what);
+  watch_samples(c, counter, options.threads, options.progress);
+  const bool tests = what == SampleCounter::What::kTests;
+  const auto samples = static_cast<std::uint64_t>(grid.samples_per_pixel());
+  return heat_map_png({grid.width_px(), grid.height_px(), pixel_sums(grid, counter.counts()),
+                       tests ? 1 : samples,
+                       fmt::format("{}, frame {}, {}s: {}", c.scene, c.frame, to_string(c.shape()),
+                                   tests ? "tests" : "hits"),
+                       tests ? "tests per pixel" : "hits per sample"});
+}
+
+std::string micropolygons_png(const Configuration& c, const ExperimentOptions& options) {
+  const SampleGrid grid = c.sample_grid();
+  VisibleMicropolygons visible(grid);
+  watch_samples(c, visible, options.threads, options.progress);
+  return png(micropolygon_picture(grid, visible));
+}
+
+std::string picture_png(Show show, const Configuration& c, const ExperimentOptions& options) {
+  switch (show) {
+    case Show::kFrame:
+      return frame_png(c, options);
+    case Show::kTests:
+      return counts_png(c, options, SampleCounter::What::kTests);
+    case Show::kHits:
+      return counts_png(c, options, SampleCounter::What::kHits);
+    case Show::kMicropolygons:
+      return micropolygons_png(c, options);
+  }
+  return {};
+}
+
+/// Kernels, widths and modes differ in how they draw a frame, and in nothing else that is shown.
+void refuse_kernel_options(const CLI::App& app, std::string_view show) {
+  for (const char* option : {"--kernel", "--width", "--mode"})
+    if (app.get_option(option)->count() > 0)
+      throw InputError(option, "does not change {}; leave it out, or use --show frame", show);
+}
+
 void render(const CLI::App& app, const Arguments& arguments) {
+  const Show show = parse_choice({"--show", arguments.show}, kShows);
+  if (show != Show::kFrame) refuse_kernel_options(app, arguments.show);
   const Configuration configuration = resolve(arguments);
   if (arguments.output.empty()) throw InputError("--output", "is missing; name a PNG file");
   ExperimentOptions options;
@@ -44,10 +109,7 @@ void render(const CLI::App& app, const Arguments& arguments) {
   Destination picture(arguments.output);
   Progress progress(app.get_name());
   options.progress = [&](double fraction) { progress.update(fraction); };
-  options.on_frame = [&](const FinishedFrame& finished) {
-    picture.write(png(resolve(finished.frame, finished.background)));
-  };
-  run_experiment({configuration}, options);
+  picture.write(picture_png(show, configuration, options));
 }
 
 std::function<void()> declare(CLI::App& app) {
@@ -61,6 +123,12 @@ std::function<void()> declare(CLI::App& app) {
   add("--width", arguments->width, "W", "Width of its machine; the narrowest if left out");
   add("--micropolygon", arguments->micropolygon, "KIND", "triangle or quad");
   add_experiment_options(app, arguments->experiment);
+  app.add_option("--show", arguments->show,
+                 "frame; or tests (sum of each pixel) or hits (mean of its samples) as heat maps; "
+                 "or the visible micropolygons, a pixel for each sample")
+      ->type_name("WHAT")
+      ->default_str(arguments->show)
+      ->group("Output");
   app.add_option("-o,--output", arguments->output, "The picture, a PNG file; - for standard output")
       ->type_name("FILE")
       ->group("Output");
@@ -69,9 +137,12 @@ std::function<void()> declare(CLI::App& app) {
 
 }  // namespace
 
-extern const Command c_render{"render", "Draws a scene into a PNG file",
-                              "  lanescope render --scene teapot -o teapot.png\n"
-                              "  lanescope render --mesh bunny.obj --msaa 16 -o bunny.png",
-                              declare};
+extern const Command c_render{
+    "render", "Draws a scene, or what happens at its samples, into a PNG file",
+    "  lanescope render --scene teapot -o teapot.png\n"
+    "  lanescope render --mesh bunny.obj --msaa 16 -o bunny.png\n"
+    "  lanescope render --scene teapot --show tests -o tests.png\n"
+    "  lanescope render --scene teapot --show micropolygons --dice-area 64 -o grid.png",
+    declare};
 
 }  // namespace lanescope

@@ -40,10 +40,21 @@ TEST_F(Files, AppearWhole) {
   EXPECT_EQ(entries(), 1u);
 }
 
+TEST_F(Files, AreWrittenPieceByPiece) {
+  AtomicFile file(path("a"));
+  file.append("one ");
+  file.append("two ");
+  EXPECT_FALSE(fs::exists(path("a")));
+  file.commit("three");
+  EXPECT_EQ(read_file(path("a")), "one two three");
+  EXPECT_EQ(entries(), 1u);
+}
+
 TEST_F(Files, AreLeftAloneUnlessCommitted) {
   write_file(path("a"), "one");
   {
     AtomicFile file(path("a"));
+    file.append("two");
     EXPECT_EQ(entries(), 2u);
   }
   EXPECT_EQ(read_file(path("a")), "one");
