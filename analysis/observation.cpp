@@ -1,42 +1,53 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/observation.h"
 
-#include <algorithm>
 #include <bit>
+#include <map>
 #include <tuple>
 
-#include "simulator/base/random.h"
 #include "simulator/memory.h"
 
 namespace lanescope {
+namespace {
 
-bool SmallSet::insert(std::uint64_t number) {
-  for (std::size_t i = mix64(number) % kSlots;; i = (i + 1) % kSlots) {
-    Slot& slot = slots_[i];
-    if (slot.generation != generation_) {
-      slot = {number, generation_};
-      return true;
-    }
-    if (slot.number == number) return false;
-  }
+void add(MemoryRecord& to, const MemoryRecord& from) {
+  to.issued += from.issued;
+  to.active += from.active;
+  to.lines += from.lines;
+  to.conflicts += from.conflicts;
+  if (to.lines_histogram.size() < from.lines_histogram.size())
+    to.lines_histogram.resize(from.lines_histogram.size());
+  for (std::size_t k = 0; k < from.lines_histogram.size(); ++k)
+    to.lines_histogram[k] += from.lines_histogram[k];
 }
 
+}  // namespace
+
 std::size_t MemoryAndSource::PlaceHash::operator()(const Place& place) const {
-  return static_cast<std::size_t>(reinterpret_cast<std::uintptr_t>(place.file)) ^
-         (std::size_t{place.line} << 8) ^ (place.stage << 24);
+  const auto file = reinterpret_cast<std::uintptr_t>(place.file);
+  const auto info = reinterpret_cast<std::uintptr_t>(place.info);
+  const std::uint64_t mixed =
+      (file ^ info << 7 ^ place.stage << 3 ^ place.line) * 0x9e3779b97f4a7c15u;
+  return mixed >> 32;
+}
+
+MemoryAndSource::Sum& MemoryAndSource::sum_at(const Place& place) {
+  Recent& recent = recent_[PlaceHash()(place) % kRecent];
+  if (recent.sum == nullptr || recent.place != place) recent = {place, &sums_[place]};
+  return *recent.sum;
 }
 
 void MemoryAndSource::issued(const IssueEvent& event) {
-  Issued& line = lines_[{event.at.file_name(), event.at.line(), event.stage}];
-  line.issued += 1;
-  line.active += event.charged();
-  line.overhead += event.overhead;
-  if (!event.touches.empty()) touched(event);
+  Sum& sum = sum_at({event.at.file_name(), event.at.line(), event.stage, &event.info});
+  sum.issued += 1;
+  sum.active += event.charged();
+  sum.overhead += event.overhead;
+  if (event.info.instruction_class == InstructionClass::kMemory || !event.touches.empty())
+    add_touches(sum.memory, event);
 }
 
-void MemoryAndSource::touched(const IssueEvent& event) {
-  MemoryRecord& record = memory_[{event.stage, event.info.mnemonic}];
-  record.lines_histogram.resize(static_cast<std::size_t>(event.width) + 1);
+void MemoryAndSource::add_touches(MemoryRecord& memory, const IssueEvent& event) {
+  memory.lines_histogram.resize(static_cast<std::size_t>(event.width) + 1);
   lines_touched_.clear();
   elements_stored_.clear();
   std::size_t lines = 0;
@@ -46,58 +57,55 @@ void MemoryAndSource::touched(const IssueEvent& event) {
     if (touch.is_store && !elements_stored_.insert(touch.byte))
       lanes_in_conflict |= std::uint64_t{1} << touch.lane;
   }
-  record.issued += 1;
-  record.active += static_cast<std::uint64_t>(std::popcount(event.active));
-  record.lines += lines;
-  record.lines_histogram[lines] += 1;
-  record.conflicts += static_cast<std::uint64_t>(std::popcount(lanes_in_conflict));
+  memory.issued += 1;
+  memory.active += static_cast<std::uint64_t>(std::popcount(event.active));
+  memory.lines += lines;
+  memory.lines_histogram[lines] += 1;
+  memory.conflicts += static_cast<std::uint64_t>(std::popcount(lanes_in_conflict));
 }
 
 MemoryAndSource& MemoryAndSource::operator+=(const MemoryAndSource& other) {
-  for (const auto& [place, counts] : other.lines_) {
-    Issued& line = lines_[place];
-    line.issued += counts.issued;
-    line.active += counts.active;
-    line.overhead += counts.overhead;
-  }
-  for (const auto& [key, counts] : other.memory_) {
-    MemoryRecord& record = memory_[key];
-    record.issued += counts.issued;
-    record.active += counts.active;
-    record.lines += counts.lines;
-    record.conflicts += counts.conflicts;
-    record.lines_histogram.resize(counts.lines_histogram.size());
-    for (std::size_t k = 0; k < counts.lines_histogram.size(); ++k)
-      record.lines_histogram[k] += counts.lines_histogram[k];
+  for (const auto& [place, from] : other.sums_) {
+    Sum& sum = sums_[place];
+    sum.issued += from.issued;
+    sum.active += from.active;
+    sum.overhead += from.overhead;
+    add(sum.memory, from.memory);
   }
   return *this;
 }
 
 std::vector<MemoryRecord> MemoryAndSource::memory(std::size_t stage) const {
+  std::map<std::string_view, MemoryRecord> by_mnemonic;
+  for (const auto& [place, sum] : sums_)
+    if (place.stage == stage && sum.memory.issued > 0)
+      add(by_mnemonic[place.info->mnemonic], sum.memory);
   std::vector<MemoryRecord> records;
-  for (const auto& [key, counts] : memory_) {
-    if (key.first != stage) continue;
-    records.push_back(counts);
-    records.back().mnemonic = key.second;
+  for (auto& [mnemonic, record] : by_mnemonic) {
+    record.mnemonic = mnemonic;
+    records.push_back(std::move(record));
   }
   return records;
 }
 
 std::vector<SourceLineRecord> MemoryAndSource::source_lines(
     std::span<const std::string_view> stages) const {
-  // By name: two translation units have names of one file at two addresses.
-  std::map<std::tuple<std::string, std::uint32_t, std::size_t>, Issued> by_name;
-  for (const auto& [place, counts] : lines_) {
-    Issued& line = by_name[{place.file, place.line, place.stage}];
-    line.issued += counts.issued;
-    line.active += counts.active;
-    line.overhead += counts.overhead;
+  // By the file's name: two translation units may have it at two addresses.
+  std::map<std::tuple<std::string_view, std::uint32_t, std::size_t>, SourceLineRecord> by_line;
+  for (const auto& [place, sum] : sums_) {
+    SourceLineRecord& line = by_line[{place.file, place.line, place.stage}];
+    line.issued += sum.issued;
+    line.active += sum.active;
+    line.overhead += sum.overhead;
   }
   std::vector<SourceLineRecord> records;
-  for (const auto& [place, counts] : by_name)
-    records.push_back({std::get<0>(place), std::get<1>(place),
-                       std::string(stages[std::get<2>(place)]), counts.issued, counts.active,
-                       counts.overhead});
+  for (auto& [place, line] : by_line) {
+    const auto& [file, number, stage] = place;
+    line.file = file;
+    line.line = number;
+    line.stage = stages[stage];
+    records.push_back(std::move(line));
+  }
   return records;
 }
 

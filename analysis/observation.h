@@ -22,10 +22,21 @@ class SmallSet {
  public:
   void clear() { ++generation_; }
   /// Whether the number is new. Requires fewer than kSlots different numbers.
-  bool insert(std::uint64_t number);
+  bool insert(std::uint64_t number) {
+    for (std::size_t i = number * 0x9e3779b97f4a7c15u >> kShift;; i = (i + 1) % kSlots) {
+      Slot& slot = slots_[i];
+      if (slot.generation != generation_) {
+        slot = {number, generation_};
+        return true;
+      }
+      if (slot.number == number) return false;
+    }
+  }
 
  private:
-  static constexpr std::size_t kSlots = 512;
+  static constexpr int kBits = 9;
+  static constexpr int kShift = 64 - kBits;
+  static constexpr std::size_t kSlots = std::size_t{1} << kBits;
   struct Slot {
     std::uint64_t number = 0;
     std::uint64_t generation = 0;
@@ -38,6 +49,10 @@ class SmallSet {
 /// by addition, so that packets may be observed in any order on any thread.
 class MemoryAndSource final : public Observer {
  public:
+  MemoryAndSource() = default;
+  MemoryAndSource(const MemoryAndSource&) = delete;
+  MemoryAndSource& operator=(const MemoryAndSource&) = delete;
+
   void issued(const IssueEvent& event) override;
   MemoryAndSource& operator+=(const MemoryAndSource& other);
 
@@ -47,27 +62,37 @@ class MemoryAndSource final : public Observer {
   std::vector<SourceLineRecord> source_lines(std::span<const std::string_view> stages) const;
 
  private:
-  struct Issued {
-    std::uint64_t issued = 0;
-    std::uint64_t active = 0;
-    std::uint64_t overhead = 0;
-  };
+  /// An instruction at a line of source, in a stage.
   struct Place {
-    const char* file;
-    std::uint32_t line;
-    std::size_t stage;
+    const char* file = nullptr;
+    std::uint32_t line = 0;
+    std::size_t stage = 0;
+    const InstructionInfo* info = nullptr;
     bool operator==(const Place&) const = default;
   };
   struct PlaceHash {
     std::size_t operator()(const Place& place) const;
   };
+  struct Sum {
+    std::uint64_t issued = 0;
+    std::uint64_t active = 0;
+    std::uint64_t overhead = 0;
+    MemoryRecord memory;  ///< Of a memory instruction; without mnemonic.
+  };
+  /// The sums of recent places by their hash: a loop issues the same instructions again and again.
+  static constexpr std::size_t kRecent = 1024;
+  struct Recent {
+    Place place;
+    Sum* sum = nullptr;
+  };
 
-  void touched(const IssueEvent& event);
+  Sum& sum_at(const Place& place);
+  void add_touches(MemoryRecord& memory, const IssueEvent& event);
 
+  std::unordered_map<Place, Sum, PlaceHash> sums_;
+  std::array<Recent, kRecent> recent_{};
   SmallSet lines_touched_;
   SmallSet elements_stored_;
-  std::unordered_map<Place, Issued, PlaceHash> lines_;
-  std::map<std::pair<std::size_t, std::string_view>, MemoryRecord> memory_;
 };
 
 /// Whether memory and source are observed in the packet that begins with that micropolygon. Depends

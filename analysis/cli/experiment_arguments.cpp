@@ -59,6 +59,7 @@ void resolve_kernel_options(const ExperimentArguments& a, Configuration& c) {
   c.options.stream_load_threshold = parse_number_of(
       "stream_load_threshold", {"--stream-load-threshold", a.stream_load_threshold});
   c.mode = parse_choice({"--mode", a.mode}, kModes);
+  c.observe_every = parse_integer_of("observe_every", {"--observe-every", a.observe_every});
 }
 
 std::vector<std::string> scene_names(bool (*wanted)(const SceneDescriptor&)) {
@@ -116,6 +117,7 @@ ExperimentArguments::ExperimentArguments() {
   stream_load_threshold = fmt::format("{}", c.options.stream_load_threshold);
   cull = name_of(kSwitch, c.options.cull_backfaces);
   mode = name_of(kModes, c.mode);
+  observe_every = fmt::format("{}", c.observe_every);
 }
 
 void add_experiment_options(CLI::App& app, ExperimentArguments& a) {
@@ -147,6 +149,8 @@ void add_experiment_options(CLI::App& app, ExperimentArguments& a) {
       "REPACK loads when this share of the lanes is free, 0 to 1");
   add("Kernels", "--cull", a.cull, "on|off", "Drop micropolygons that face away");
   add("Kernels", "--mode", a.mode, "MODE", "counting, checked or uncounted");
+  add("Kernels", "--observe-every", a.observe_every, "N",
+      "Memory and source lines are observed in one packet of N; 0 in none, 1 in all");
   add("Output", "--threads", a.threads, "N", "Threads; all of the host if left out");
 }
 

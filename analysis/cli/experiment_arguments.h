@@ -33,6 +33,7 @@ struct ExperimentArguments {
   std::string stream_load_threshold;
   std::string cull;
   std::string mode;
+  std::string observe_every;
   std::string threads;
 
   /// Defaults are those of a Configuration.

@@ -151,7 +151,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"{\n",
                 "2:1: is not JSON: syntax error while parsing object key - unexpected end "
                 "of input; expected string literal"},
-        Mistake{"[]", "/: an array is not an object"}, Mistake{"{}", "/: the member 'schema' is missing"},
+        Mistake{"[]", "/: an array is not an object"},
+        Mistake{"{}", "/: the member 'schema' is missing"},
         Mistake{R"({"schema": {"name": "lanescope-report", "version": 2}})",
                 "/schema/name: \"lanescope-report\" is not \"lanescope-sweep\""},
         Mistake{R"({"schema": {"name": "lanescope-sweep", "version": 2}})",
@@ -216,7 +217,8 @@ INSTANTIATE_TEST_SUITE_P(
         parameter(R"("packet_capacity": 0)",
                   "packet_capacity: 0 is not an integer from 1 to 1048576"),
         parameter(R"("grid_overlap_px": -1)", "grid_overlap_px: -1 is not a number from 0 to 1"),
-        parameter(R"("observe_every": -1)", "observe_every: -1 is not an integer of at least 0"),
+        parameter(R"("observe_every": -1)",
+                  "observe_every: -1 is not an integer from 0 to 1048576"),
         parameter(R"("jitter": null)", "jitter: null is not true or false")));
 
 }  // namespace

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// Memory and source lines: by hand for a few instructions, and against the counts of a whole run.
+#include "analysis/observation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "analysis/experiment.h"
+#include "analysis/sources.h"
+#include "simulator/instruction_set.h"
+
+namespace lanescope {
+namespace {
+
+using Vm = Machine<8, Mode::kTracing>;
+using Ints = Vec<std::int32_t, 8>;
+
+Ints ints(std::initializer_list<int> values) {
+  Ints v;
+  int i = 0;
+  for (const int value : values) v.set(i++, value);
+  return v;
+}
+
+constexpr std::string_view kStages[] = {"Only"};
+
+class Observing : public ::testing::Test {
+ protected:
+  MemoryAndSource seen;
+  Vm vm{1, &seen};
+  Buffer<std::int32_t> buffer{256, "buffer", false};
+
+  MemoryRecord only_memory() {
+    const std::vector<MemoryRecord> memory = seen.memory(0);
+    EXPECT_EQ(memory.size(), 1u);
+    return memory.empty() ? MemoryRecord{} : memory.front();
+  }
+};
+
+TEST_F(Observing, CountsDistinctLinesOfAGather) {
+  auto site = vm.site(0);
+  // A line has 16 elements: these are in lines 0, 0, 1, 1, 2, 15, 15, 0.
+  const Ints index = ints({0, 15, 16, 31, 32, 240, 255, 3});
+  isa::gather(site.on(Mask<8>::all()), buffer.memory(), index);
+  isa::gather(site.on(Mask<8>::first_n(4)), buffer.memory(), index);
+  isa::gather(site.on(Mask<8>::none()), buffer.memory(), index);
+  const MemoryRecord gather = only_memory();
+  EXPECT_EQ(gather.mnemonic, "gather");
+  EXPECT_EQ(gather.issued, 3u);
+  EXPECT_EQ(gather.active, 12u);
+  EXPECT_EQ(gather.lines, 4u + 2u);
+  EXPECT_EQ(gather.lines_histogram, (std::vector<std::uint64_t>{1, 0, 1, 0, 1, 0, 0, 0, 0}));
+  EXPECT_EQ(gather.conflicts, 0u);
+}
+
+TEST_F(Observing, CountsLanesThatStoreToOneElement) {
+  auto site = vm.site(0);
+  const Ints index = ints({7, 7, 8, 7, 8, 9, 10, 11});
+  isa::scatter(site.on(Mask<8>::all()), buffer.memory(), index, index);
+  EXPECT_EQ(only_memory().conflicts, 3u);
+  isa::scatter(site.on(Mask<8>::first_n(2)), buffer.memory(), index, index);
+  EXPECT_EQ(only_memory().conflicts, 4u);
+}
+
+TEST_F(Observing, APairIsOneLaneInConflict) {
+  auto site = vm.site(0);
+  const Ints index = ints({1, 1, 2, 3, 4, 5, 6, 7});
+  isa::scatter_pair(site.on(Mask<8>::all()), buffer.memory(), index, index, index);
+  EXPECT_EQ(only_memory().conflicts, 1u);
+  EXPECT_EQ(only_memory().lines, 1u);
+}
+
+TEST_F(Observing, AddsUpByLineOfSource) {
+  auto site = vm.site(0);
+  constexpr std::uint32_t kLine = __LINE__ + 3;
+  for (int n = 1; n <= 3; ++n) {
+    auto on = site.on(Mask<8>::first_n(n));
+    const auto twice = isa::add(on, ints({1, 2, 3}), 1);
+    isa::add(on.overhead(), twice, 1);
+  }
+  const auto lines = seen.source_lines(kStages);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].file, "tests/analysis/observation_test.cpp");
+  EXPECT_EQ(lines[0].line, kLine);
+  EXPECT_EQ(lines[0].stage, "Only");
+  EXPECT_EQ(lines[0].issued, 3u);
+  EXPECT_EQ(lines[0].active, 6u);
+  EXPECT_EQ(lines[0].overhead, 0u);
+  EXPECT_EQ(lines[1].line, kLine + 1);
+  EXPECT_EQ(lines[1].overhead, 3u);
+}
+
+TEST_F(Observing, AddsToOthers) {
+  auto site = vm.site(0);
+  isa::gather(site.on(Mask<8>::all()), buffer.memory(), ints({0, 16, 32, 0, 0, 0, 0, 0}));
+  MemoryAndSource sum;
+  sum += seen;
+  sum += seen;
+  ASSERT_EQ(sum.memory(0).size(), 1u);
+  EXPECT_EQ(sum.memory(0)[0].issued, 2u);
+  EXPECT_EQ(sum.memory(0)[0].lines, 6u);
+  EXPECT_EQ(sum.memory(0)[0].lines_histogram[3], 2u);
+  EXPECT_EQ(sum.source_lines(kStages).at(0).issued, 2u);
+}
+
+TEST(ObservedPackets, AreEveryNthOfASegment) {
+  const auto observed = [](std::uint64_t segment, std::uint64_t ordinal, int every) {
+    Packet packet(Micropolygon::kTriangle, 100);
+    packet.clear(segment << 32 | ordinal * 100);
+    return is_observed(packet, every, 100);
+  };
+  EXPECT_TRUE(observed(0, 0, 16));
+  EXPECT_FALSE(observed(0, 1, 16));
+  EXPECT_TRUE(observed(0, 16, 16));
+  EXPECT_TRUE(observed(3, 13, 16));
+  EXPECT_FALSE(observed(0, 0, 0));
+  EXPECT_TRUE(observed(5, 7, 1));
+}
+
+/// A whole run of which every packet is observed agrees with what the machine counted.
+class WholeRun : public ::testing::TestWithParam<std::tuple<const char*, int, Micropolygon>> {
+ protected:
+  RunRecord run(int observe_every) const {
+    Configuration c;
+    c.kernel = std::get<0>(GetParam());
+    c.width = std::get<1>(GetParam());
+    c.options.shape = std::get<2>(GetParam());
+    c.scene = "teapot";
+    c.tessellation.width_px = 64;
+    c.tessellation.height_px = 40;
+    c.tessellation.packet_capacity = 500;
+    c.observe_every = observe_every;
+    return run_experiment({c}, {2, nullptr, nullptr}).runs.front();
+  }
+};
+
+TEST_P(WholeRun, SourceLinesAddUpToTheCounts) {
+  const RunRecord all = run(1);
+  EXPECT_GT(all.observation.packets, 1u);
+  EXPECT_EQ(all.observation.packets_observed, all.observation.packets);
+  for (const StageRecord& stage : all.stages) {
+    SourceLineRecord sum;
+    for (const SourceLineRecord& line : all.source_lines) {
+      if (line.stage != stage.name) continue;
+      sum.issued += line.issued;
+      sum.active += line.active;
+      sum.overhead += line.overhead;
+      EXPECT_FALSE(source_line(line.file, line.line).empty()) << line.file << ":" << line.line;
+    }
+    EXPECT_EQ(sum.issued, stage.total().issued) << stage.name;
+    EXPECT_EQ(sum.active, stage.total().active) << stage.name;
+    EXPECT_EQ(sum.overhead, stage.total().overhead_issued) << stage.name;
+  }
+}
+
+TEST_P(WholeRun, MemoryAddsUpToTheCounts) {
+  const RunRecord all = run(1);
+  bool saw_frame = false;
+  for (const StageRecord& stage : all.stages)
+    for (const MemoryRecord& memory : stage.memory) {
+      const auto counted =
+          std::find_if(stage.instructions.begin(), stage.instructions.end(),
+                       [&](const auto& i) { return i.mnemonic == memory.mnemonic; });
+      ASSERT_NE(counted, stage.instructions.end()) << memory.mnemonic;
+      EXPECT_EQ(memory.issued, counted->issued) << memory.mnemonic;
+      EXPECT_EQ(memory.active, counted->active) << memory.mnemonic;
+      EXPECT_EQ(std::accumulate(memory.lines_histogram.begin(), memory.lines_histogram.end(),
+                                std::uint64_t{0}),
+                memory.issued);
+      EXPECT_LE(memory.lines, memory.active);
+      if (memory.mnemonic == "frame_merge") {
+        saw_frame = true;
+        EXPECT_EQ(memory.conflicts, all.counter("conflict_hits"));
+      } else {
+        EXPECT_EQ(memory.conflicts, 0u) << memory.mnemonic;
+      }
+    }
+  EXPECT_TRUE(saw_frame);
+}
+
+TEST_P(WholeRun, ObservingChangesNothingElse) {
+  const RunRecord all = run(1);
+  const RunRecord some = run(3);
+  const RunRecord none = run(0);
+  EXPECT_EQ(none.observation.packets_observed, 0u);
+  EXPECT_TRUE(none.source_lines.empty());
+  EXPECT_TRUE(none.stages.back().memory.empty());
+  EXPECT_LT(some.observation.packets_observed, some.observation.packets);
+  EXPECT_FALSE(some.source_lines.empty());
+  for (const RunRecord* other : {&some, &none}) {
+    EXPECT_EQ(other->frame_hash, all.frame_hash);
+    EXPECT_EQ(other->hits_hash, all.hits_hash);
+    for (std::size_t i = 0; i < all.stages.size(); ++i)
+      EXPECT_EQ(other->stages[i].histogram, all.stages[i].histogram);
+    for (std::size_t i = 0; i < all.counters.size(); ++i)
+      EXPECT_EQ(other->counters[i].value, all.counters[i].value);
+  }
+}
+
+TEST_P(WholeRun, TheWorkingSetsHistogramAndCourseAddUpToItsSum) {
+  const RunRecord all = run(0);
+  const SeriesRecord* histogram = all.find_series("working_set_histogram");
+  if (all.configuration.kernel == "lockstep") {
+    EXPECT_EQ(histogram, nullptr);
+    return;
+  }
+  const SeriesRecord* sums = all.find_series("working_set_course_sum");
+  const SeriesRecord* packets = all.find_series("working_set_course_packets");
+  ASSERT_TRUE(histogram && sums && packets);
+  std::uint64_t observations = 0, sum = 0;
+  for (std::size_t k = 0; k < histogram->values.size(); ++k) {
+    observations += histogram->values[k];
+    sum += k * histogram->values[k];
+  }
+  EXPECT_EQ(observations, all.counter("working_set_observations"));
+  EXPECT_EQ(sum, all.counter("working_set_sum"));
+  EXPECT_EQ(histogram->values.size() - 1, all.counter("working_set_maximum"));
+  const auto total = [](const SeriesRecord& series) {
+    return std::accumulate(series.values.begin(), series.values.end(), std::uint64_t{0});
+  };
+  EXPECT_EQ(total(*sums), sum);
+  EXPECT_EQ(total(*packets), observations);
+  // A packet that is culled as a whole has no Bound.
+  EXPECT_LE(packets->values.front(), all.observation.packets);
+  EXPECT_TRUE(std::is_sorted(packets->values.rbegin(), packets->values.rend()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kernels, WholeRun,
+    ::testing::Combine(::testing::Values("lockstep", "repack"), ::testing::Values(8, 64),
+                       ::testing::Values(Micropolygon::kTriangle, Micropolygon::kQuad)),
+    [](const auto& info) {
+      return fmt::format("{}_W{}_{}", std::get<0>(info.param), std::get<1>(info.param),
+                         name_of(kShapes, std::get<2>(info.param)));
+    });
+
+}  // namespace
+}  // namespace lanescope
