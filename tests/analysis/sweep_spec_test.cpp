@@ -120,6 +120,19 @@ TEST(SweepSpec, TellsWhatVaries) {
   EXPECT_EQ(varying_parameters(parse(R"("parameters": {})")), Names{});
 }
 
+TEST(SweepSpec, RefusesToHaveCellsWithoutEnd) {
+  std::string numbers = "1";
+  for (int i = 2; i <= 400; ++i) numbers += fmt::format(", {}", i);
+  const std::string members =
+      fmt::format(R"("parameters": {{"seed": [{0}], "packet_capacity": [{0}]}})", numbers);
+  try {
+    parse(members);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "s.json:/parameters/packet_capacity: gives more than 100000 cells");
+  }
+}
+
 struct Mistake {
   std::string text;
   std::string complaint;
