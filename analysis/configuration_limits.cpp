@@ -9,7 +9,7 @@ namespace {
 constexpr double kMaxSize_px = 16384;
 constexpr double kMaxCount = 1 << 20;
 
-constexpr std::array<std::pair<std::string_view, Limits>, 9> kLimits{
+constexpr std::array<std::pair<std::string_view, Limits>, 10> kLimits{
     {{"frame", {0, kMaxCount}},
      {"turn_degrees", {-360, 360}},
      {"stream_load_threshold", {0, 1}},
@@ -18,7 +18,8 @@ constexpr std::array<std::pair<std::string_view, Limits>, 9> kLimits{
      {"dice_area_px", {0.01, 10000}},
      {"grid_limit", {1, 128}},
      {"packet_capacity", {1, kMaxCount}},
-     {"grid_overlap_px", {0, 1}}}};
+     {"grid_overlap_px", {0, 1}},
+     {"observe_every", {0, kMaxCount}}}};
 
 }  // namespace
 

@@ -53,21 +53,20 @@ void SweepDirectory::open() const {
 }
 
 std::optional<Report> SweepDirectory::find(const Configuration& cell) const {
-  const std::string path = cell_path(cell);
-  if (!fs::exists(path)) return std::nullopt;
   try {
-    Report report = read_report(path);
+    Report report = read_report(cell_path(cell));
     if (report.runs.size() == 1 && cell_id(report.runs.front().configuration) == cell_id(cell) &&
         report.program_version == program_version() && report.commit == program_commit())
       return report;
   } catch (const InputError&) {
-    // A file that is no report is as good as none: the cell is done again.
+    // There is no file, or it is no report, which is as good as none: the cell is done again.
   }
   return std::nullopt;
 }
 
 bool SweepDirectory::has_failed(const Configuration& cell) const {
-  return fs::exists(failure_path(cell));
+  std::error_code unreadable;
+  return fs::exists(failure_path(cell), unreadable);
 }
 
 void SweepDirectory::keep(const Configuration& cell, const Report& report) const {

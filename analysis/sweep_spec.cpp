@@ -17,6 +17,9 @@ namespace {
 /// Scenes of this ending are mesh files.
 constexpr std::string_view kMeshEnding = ".obj";
 
+/// More cells than this are a mistake, not a plan.
+constexpr std::size_t kMaxCells = 100'000;
+
 bool is_mesh_file(std::string_view scene) { return scene.ends_with(kMeshEnding); }
 
 void require_limits(const std::string& name, const JsonCursor& value) {
@@ -59,6 +62,7 @@ void require_sound(const std::string& name, const JsonCursor& value) {
 /// A parameter and the values given for it.
 struct Axis {
   std::string name;
+  std::string where;
   std::vector<JsonCursor> values;
 };
 
@@ -68,7 +72,7 @@ std::vector<Axis> read_axes(const JsonCursor& object) {
   std::vector<Axis> axes;
   for (const std::string& name : object.member_names()) {
     const JsonCursor member = object.member(name);
-    Axis axis{name, member.is_array() ? member.items() : std::vector{member}};
+    Axis axis{name, member.where(), member.is_array() ? member.items() : std::vector{member}};
     if (axis.values.empty()) member.fail("a value or a list of at least one");
     for (const JsonCursor& value : axis.values) require_sound(name, value);
     axes.push_back(std::move(axis));
@@ -95,6 +99,8 @@ using Assignment = std::map<std::string, JsonCursor>;
 std::vector<Assignment> cross(const std::vector<Axis>& axes, const Assignment& fixed) {
   std::vector<Assignment> all{fixed};
   for (const Axis& axis : axes) {
+    if (all.size() * axis.values.size() > kMaxCells)
+      throw InputError(axis.where, "gives more than {} cells", kMaxCells);
     std::vector<Assignment> longer;
     for (const Assignment& assignment : all)
       for (const JsonCursor& value : axis.values) {

@@ -60,7 +60,7 @@ Report run_selected(const CLI::App& app, const Arguments& a) {
             a.width.empty() ? "16" : a.width,
             resolve_shapes(a.micropolygon.empty() ? "triangle" : a.micropolygon));
   ExperimentOptions options;
-  options.threads = resolve_threads(a.experiment);
+  options.threads = resolve_threads(a.experiment.threads);
   Progress progress(app.get_name());
   options.progress = [&](double fraction) { progress.update(fraction); };
   return run_experiment(configurations, options);

@@ -53,6 +53,9 @@ std::vector<Configuration> resolve_scenes(const ExperimentArguments& arguments,
 
 /// Threads to use: as asked, or as many as the host has.
 int resolve_threads(const std::string& text);
+inline int resolve_threads(const ExperimentArguments& arguments) {
+  return resolve_threads(arguments.threads);
+}
 
 /// Names of kernels from a list.
 std::vector<std::string> resolve_kernels(const std::string& text);

@@ -44,7 +44,9 @@ void merge(const CLI::App& app, const Arguments& arguments) {
   if (arguments.output.empty()) throw InputError("--output", "is missing; name a file");
   std::vector<std::string> files;
   for (const std::string& input : arguments.inputs) {
-    const auto more = std::filesystem::is_directory(input) ? cells_of(input) : std::vector{input};
+    std::error_code unreadable;
+    const bool is_sweep = std::filesystem::is_directory(input, unreadable);
+    const std::vector<std::string> more = is_sweep ? cells_of(input) : std::vector{input};
     files.insert(files.end(), more.begin(), more.end());
   }
   Destination output(arguments.output);

@@ -105,7 +105,7 @@ void render(const CLI::App& app, const Arguments& arguments) {
   const Configuration configuration = resolve(arguments);
   if (arguments.output.empty()) throw InputError("--output", "is missing; name a PNG file");
   ExperimentOptions options;
-  options.threads = resolve_threads(arguments.experiment.threads);
+  options.threads = resolve_threads(arguments.experiment);
   Destination picture(arguments.output);
   Progress progress(app.get_name());
   options.progress = [&](double fraction) { progress.update(fraction); };

@@ -28,7 +28,7 @@ void run(const CLI::App& app, const Arguments& arguments) {
       resolve_scenes(arguments.experiment, DefaultScenes::kFirst),
       resolve_kernels(arguments.kernel), arguments.width, resolve_shapes(arguments.micropolygon));
   ExperimentOptions options;
-  options.threads = resolve_threads(arguments.experiment.threads);
+  options.threads = resolve_threads(arguments.experiment);
   Destination json(arguments.json);
   Progress progress(app.get_name());
   options.progress = [&](double fraction) { progress.update(fraction); };

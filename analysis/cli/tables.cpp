@@ -103,7 +103,7 @@ class Pictures {
 Report make_report(const CLI::App& app, const Arguments& arguments) {
   const std::vector<Configuration> configurations = thesis_experiment(arguments.experiment);
   ExperimentOptions options;
-  options.threads = resolve_threads(arguments.experiment.threads);
+  options.threads = resolve_threads(arguments.experiment);
   if (!arguments.out.empty()) make_directory(arguments.out);
   Pictures pictures(arguments.out);
   Progress progress(app.get_name());

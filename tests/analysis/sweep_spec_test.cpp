@@ -120,6 +120,19 @@ TEST(SweepSpec, TellsWhatVaries) {
   EXPECT_EQ(varying_parameters(parse(R"("parameters": {})")), Names{});
 }
 
+TEST(SweepSpec, RefusesToHaveCellsWithoutEnd) {
+  std::string numbers = "1";
+  for (int i = 2; i <= 400; ++i) numbers += fmt::format(", {}", i);
+  const std::string members =
+      fmt::format(R"("parameters": {{"seed": [{0}], "packet_capacity": [{0}]}})", numbers);
+  try {
+    parse(members);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "s.json:/parameters/packet_capacity: gives more than 100000 cells");
+  }
+}
+
 struct Mistake {
   std::string text;
   std::string complaint;
@@ -151,7 +164,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"{\n",
                 "2:1: is not JSON: syntax error while parsing object key - unexpected end "
                 "of input; expected string literal"},
-        Mistake{"[]", "/: an array is not an object"}, Mistake{"{}", "/: the member 'schema' is missing"},
+        Mistake{"[]", "/: an array is not an object"},
+        Mistake{"{}", "/: the member 'schema' is missing"},
         Mistake{R"({"schema": {"name": "lanescope-report", "version": 2}})",
                 "/schema/name: \"lanescope-report\" is not \"lanescope-sweep\""},
         Mistake{R"({"schema": {"name": "lanescope-sweep", "version": 2}})",
@@ -216,7 +230,8 @@ INSTANTIATE_TEST_SUITE_P(
         parameter(R"("packet_capacity": 0)",
                   "packet_capacity: 0 is not an integer from 1 to 1048576"),
         parameter(R"("grid_overlap_px": -1)", "grid_overlap_px: -1 is not a number from 0 to 1"),
-        parameter(R"("observe_every": -1)", "observe_every: -1 is not an integer of at least 0"),
+        parameter(R"("observe_every": -1)",
+                  "observe_every: -1 is not an integer from 0 to 1048576"),
         parameter(R"("jitter": null)", "jitter: null is not true or false")));
 
 }  // namespace

@@ -36,11 +36,13 @@ const std::string kTables =
 
 const std::vector<BadLine> kBadLines{
     // Commands and their arguments.
-    {"", "command: none given; use run, sweep, merge, tables, list or render"},
+    {"", "command: none given; use run, sweep, merge, tables, list, render or annotate"},
     {"runn",
-     "command: 'runn' is not a command; use run, sweep, merge, tables, list or render; did you "
+     "command: 'runn' is not a command; use run, sweep, merge, tables, list, render or annotate; "
+     "did you "
      "mean 'run'?"},
-    {"zzzzzz", "command: 'zzzzzz' is not a command; use run, sweep, merge, tables, list or render"},
+    {"zzzzzz",
+     "command: 'zzzzzz' is not a command; use run, sweep, merge, tables, list, render or annotate"},
     {"--versoin", "--versoin: is not an option of lanescope; did you mean '--version'?"},
     {"run teapot", "run: unexpected argument 'teapot'"},
     {"run --widht 8", "--widht: is not an option of run; did you mean '--width'?"},

@@ -20,7 +20,8 @@ TEST_P(Help, GoesToStandardOutputWithAnExample) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         ::testing::Values("", "run", "sweep", "merge", "tables", "list", "render"),
+                         ::testing::Values("", "run", "sweep", "merge", "tables", "list", "render",
+                                           "annotate"),
                          [](const auto& info) {
                            return info.param.empty() ? std::string("program") : info.param;
                          });

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Every example that --help shows works, in a directory that has the files they name.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "kernels/kernel.h"
+#include "tests/cli/program.h"
+
+namespace lanescope {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::lanescope_program;
+
+/// Names of commands, as the program lists them.
+std::vector<std::string> command_names() {
+  const std::string help = lanescope_program("--help").output;
+  std::vector<std::string> names;
+  std::istringstream lines(help.substr(help.find("Subcommands:")));
+  static const std::regex kRow("  ([a-z]+) .*");
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);)
+    if (std::regex_match(line, match, kRow) && match[1] != "lanescope") names.push_back(match[1]);
+  return names;
+}
+
+/// The examples at the end of a command's help, without `lanescope `.
+std::vector<std::string> examples_in(const std::string& help) {
+  std::vector<std::string> examples;
+  std::istringstream lines(help.substr(help.find("Examples:")));
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("  lanescope ", 0) == 0) examples.push_back(line.substr(12));
+  return examples;
+}
+
+/// The example at a resolution that takes no time, if its command takes one.
+std::string made_small(const std::string& example) {
+  static const std::regex kResolution(" --resolution [0-9x]+");
+  const std::string command = example.substr(0, example.find(' '));
+  const bool takes_resolution =
+      lanescope_program(command + " --help").output.find("--resolution") != std::string::npos;
+  if (!takes_resolution || example.find("--from") != std::string::npos) return example;
+  return std::regex_replace(example, kResolution, "") + " --resolution 96x60";
+}
+
+void write(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  std::ofstream(path) << text;
+}
+
+/// The files that examples name.
+void furnish(const fs::path& directory) {
+  write(directory / "bunny.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write(directory / "examples" / "thesis-sweep.json",
+        R"({"schema": {"name": "lanescope-sweep", "version": 1},
+            "parameters": {"width_px": 48, "height_px": 30, "width_lanes": [8, 16]}})");
+  fs::create_directories(directory / "out");
+  const std::string run = "run --scene teapot --resolution 48x30 --width 8,16 --json ";
+  for (const char* report : {"report.json", "out/report.json", "a.json", "b.json"})
+    ASSERT_EQ(lanescope_program(run + report, directory).status, 0);
+}
+
+TEST(Examples, OfEveryCommandWork) {
+  for (const int width : {8, 16, 32, 64})
+    if (!std::ranges::binary_search(built_widths(), width))
+      GTEST_SKIP() << "not built for W = " << width;
+  const fs::path directory = fs::path(::testing::TempDir()) / "lanescope-examples";
+  fs::remove_all(directory);
+  furnish(directory);
+  const std::vector<std::string> names = command_names();
+  EXPECT_GE(names.size(), 8u);
+  for (const std::string& name : names) {
+    const auto examples = examples_in(lanescope_program(name + " --help").output);
+    EXPECT_FALSE(examples.empty()) << name;
+    for (const std::string& example : examples) {
+      const auto outcome = lanescope_program(made_small(example), directory);
+      EXPECT_EQ(outcome.status, 0) << example << "\n" << outcome.errors;
+    }
+  }
+  fs::remove_all(directory);
+}
+
+}  // namespace
+}  // namespace lanescope
