@@ -27,7 +27,6 @@ constexpr int kTickSpacing = 150;
 constexpr TextStyle kTitle{22.0, kInk, true};
 constexpr TextStyle kText{17.0, kInk};
 constexpr TextStyle kNote{17.0, kFaintInk};
-constexpr TextStyle kMark{13.0, kFaintInk};
 
 TextStyle aligned(TextStyle style, Align align) {
   style.align = align;
