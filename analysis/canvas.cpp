@@ -10,6 +10,12 @@
 #include "analysis/palette.h"
 #include "simulator/base/error.h"
 
+#ifdef __SANITIZE_ADDRESS__
+// Fontconfig keeps what it has read of fonts until the process ends.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
+#endif
+
 namespace lanescope {
 namespace {
 

@@ -15,6 +15,7 @@ namespace {
 // In pixels.
 constexpr int kMargin = 16;
 constexpr int kHead = 34;
+constexpr int kMinWidth = 420;  ///< So that the title has room above a small frame.
 constexpr int kBarGap = 16, kBarWidth = 18, kLabels = 74;
 constexpr TextStyle kTitle{15.0, kInk, true};
 constexpr TextStyle kText{13.0, kInk};
@@ -67,7 +68,7 @@ double scale_end(const HeatMap& map) {
 std::string heat_map_png(const HeatMap& map) {
   const double end = scale_end(map);
   const std::uint64_t most = *std::max_element(map.counts.begin(), map.counts.end());
-  const int width = kMargin + map.width_px + kBarGap + kBarWidth + kLabels;
+  const int width = std::max(kMinWidth, kMargin + map.width_px + kBarGap + kBarWidth + kLabels);
   const int height = kHead + map.height_px + kMargin + 18;
   const auto canvas = make_canvas(PictureFormat::kPng, width, height);
   canvas->text(kMargin, 22, map.title, kTitle);

@@ -11,6 +11,7 @@
 #include "analysis/experiment.h"
 #include "analysis/heat_map.h"
 #include "analysis/image.h"
+#include "analysis/picture_title.h"
 #include "analysis/sample_maps.h"
 #include "simulator/base/error.h"
 
@@ -66,8 +67,7 @@ std::string counts_png(const Configuration& c, const ExperimentOptions& options,
   const auto samples = static_cast<std::uint64_t>(grid.samples_per_pixel());
   return heat_map_png({grid.width_px(), grid.height_px(), pixel_sums(grid, counter.counts()),
                        tests ? 1 : samples,
-                       fmt::format("{}, frame {}, {}s: {}", c.scene, c.frame, to_string(c.shape()),
-                                   tests ? "tests" : "hits"),
+                       fmt::format("{}: {}", picture_title(c), tests ? "tests" : "hits"),
                        tests ? "tests per pixel" : "hits per sample"});
 }
 

@@ -18,8 +18,8 @@
 namespace lanescope {
 namespace {
 
-/// A stretch of most scenes' outer surfaces, in which few micropolygons face away.
-constexpr const char* kDefaultBatches = "40:44";
+/// Batches as most are, in most scenes: they are neither at the frame's edge nor facing away.
+constexpr const char* kDefaultBatches = "400:404";
 constexpr int kMaxBatch = 1 << 30;
 
 struct Arguments {
@@ -56,7 +56,7 @@ std::pair<Argument, Argument> split(const Argument& argument, char separator,
 
 void parse_batches(const std::string& text, TraceWindow& window) {
   const Argument argument{"--batches", text};
-  const auto [first, end] = split(argument, ':', "of the form M:N, as 40:44");
+  const auto [first, end] = split(argument, ':', "of the form M:N, as 400:404");
   window.first_batch = static_cast<std::uint64_t>(parse_integer(first, 0, kMaxBatch));
   window.end_batch = static_cast<std::uint64_t>(parse_integer(end, 0, kMaxBatch));
   if (window.first_batch >= window.end_batch)
@@ -154,9 +154,9 @@ std::function<void()> declare(CLI::App& app) {
   add("Kernels", "--width", arguments->width, "W", "Width of the machine");
   add("Kernels", "--micropolygon", arguments->micropolygon, "KIND", "triangle or quad");
   add_experiment_options(app, arguments->experiment);
-  // A trace has its own mode and runs on one thread.
-  app.remove_option(app.get_option("--mode"));
-  app.remove_option(app.get_option("--threads"));
+  // A trace has its own mode, runs on one thread, and observes everything.
+  for (const char* option : {"--mode", "--threads", "--observe-every"})
+    app.remove_option(app.get_option(option));
   add("Output", "--png", arguments->png, "FILE", "The lanes over time, as a picture");
   add("Output", "--svg", arguments->svg, "FILE", "The same as lines and areas, for papers");
   add("Output", "--chrome", arguments->chrome, "FILE",
@@ -173,7 +173,7 @@ extern const Command c_trace{
     "  lanescope trace --scene teapot --png lanes.png --svg lanes.svg\n"
     "  lanescope trace --scene tigerjump --batches 1000:1200 --png lanes.png\n"
     "  lanescope trace --scene teapot --region 800,500,8x8 --chrome trace.json\n"
-    "  lanescope trace --kernel repack --width 8 --batches 40:41 --listing -",
+    "  lanescope trace --kernel repack --width 8 --batches 400:401 --listing -",
     declare};
 
 }  // namespace lanescope

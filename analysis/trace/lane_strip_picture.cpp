@@ -10,6 +10,7 @@
 #include <map>
 
 #include "analysis/palette.h"
+#include "analysis/picture_title.h"
 
 namespace lanescope {
 namespace {
@@ -26,7 +27,6 @@ constexpr int kTickSpacing = 150;
 constexpr TextStyle kTitle{22.0, kInk, true};
 constexpr TextStyle kText{17.0, kInk};
 constexpr TextStyle kNote{17.0, kFaintInk};
-constexpr TextStyle kMark{13.0, kFaintInk};
 
 TextStyle aligned(TextStyle style, Align align) {
   style.align = align;
@@ -101,14 +101,13 @@ class Picture {
 
   void heading() {
     const LaneStrip& strip = strips_.front();
-    const Configuration& c = strip.configuration();
     const std::size_t batches = strip.batch_starts().size();
     canvas_->text(
         kLeft, 28,
-        fmt::format("{}, frame {}, {}s: batches {} to {} of {} micropolygons; lanes down, "
+        fmt::format("{}: batches {} to {} of {} micropolygons; lanes down, "
                     "instructions across",
-                    c.scene, c.frame, to_string(c.shape()), strip.first_batch(),
-                    strip.first_batch() + (batches == 0 ? 0 : batches - 1), c.width),
+                    picture_title(strip.configuration()), strip.first_batch(),
+                    strip.first_batch() + (batches == 0 ? 0 : batches - 1), strip.width()),
         kNote);
   }
 

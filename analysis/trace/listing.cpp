@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "analysis/configuration_json.h"
+#include "analysis/picture_title.h"
 
 namespace lanescope {
 
@@ -25,10 +26,10 @@ void Listing::begin(const Configuration& configuration, const Kernel& kernel) {
     stage_columns_ = std::max(stage_columns_, stage.size());
   fmt::format_to(
       std::back_inserter(piece_),
-      "# {} on {}, {}s, W = {}\n"
+      "# {} on {}, W = {}\n"
       "# parameters: {}\n"
       "# number, lanes from 0 (* on, _ off), stage, instruction, + if overhead, source\n",
-      kernel.name, configuration.scene, to_string(configuration.shape()), configuration.width,
+      kernel.name, picture_title(configuration), configuration.width,
       configuration_json(configuration).dump());
 }
 

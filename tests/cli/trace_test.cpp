@@ -27,7 +27,7 @@ class TraceCommand : public ::testing::Test {
   ~TraceCommand() override { fs::remove_all(directory_); }
 
   Outcome run(const std::string& arguments) const {
-    return lanescope_program(arguments + " --scene teapot --resolution 96x60", directory_);
+    return lanescope_program(arguments + " --scene tigerjump --resolution 96x60", directory_);
   }
   std::string file(const std::string& name) const { return read_file(directory_ / name); }
   std::set<std::string> entries() const {
@@ -61,9 +61,9 @@ TEST_F(TraceCommand, WritesTheSameFilesTwice) {
 TEST_F(TraceCommand, ShowsKernelsInTheirOrder) {
   const std::string listing =
       run("trace --width 8 --kernel repack,lockstep --batches 40:41 --listing -").output;
-  const std::size_t repack = listing.find("# repack on teapot, triangles, W = 8\n");
+  const std::size_t repack = listing.find("# repack on tigerjump, frame 26, triangles, W = 8\n");
   EXPECT_EQ(repack, 0u);
-  EXPECT_GT(listing.find("# lockstep on teapot, triangles, W = 8\n"), repack);
+  EXPECT_GT(listing.find("# lockstep on tigerjump, frame 26, triangles, W = 8\n"), repack);
   EXPECT_NE(listing.find("# batch 40\n"), listing.npos);
   EXPECT_EQ(listing.find("# batch 41\n"), listing.npos);
 }
@@ -81,7 +81,7 @@ TEST_F(TraceCommand, MistakesEndWithStatus2AndOneLine) {
   expect_complaint("trace --png - --listing -", "trace: only one output can go to standard output");
   expect_complaint("trace --png missing/x.png",
                    "missing/x.png: cannot be written: No such file or directory");
-  expect_complaint(trace + "--batches x", "--batches: 'x' is not of the form M:N, as 40:44");
+  expect_complaint(trace + "--batches x", "--batches: 'x' is not of the form M:N, as 400:404");
   expect_complaint(trace + "--batches 5:3",
                    "--batches: 5:3 holds no batch; M:N is from M to N - 1");
   expect_complaint(trace + "--batches 5:5",
