@@ -9,8 +9,13 @@
 #include "analysis/configuration_json.h"
 #include "analysis/figures.h"
 #include "analysis/json_text.h"
+#include "simulator/memory.h"
 
 namespace lanescope {
+
+/// Generated from analysis/data/report.schema.json.
+extern const char* const kReportJsonSchema;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -142,13 +147,14 @@ Json to_json(const Report& report) {
             {"version", report.program_version},
             {"commit", report.commit.empty() ? Json(nullptr) : Json(report.commit)},
             {"command", report.command}}},
-          {"machine",
-           {{"line_bytes", kLineBytes}, {"element_types", {"float32", "int32", "uint32"}}}},
+          {"machine", {{"line_bytes", kLineBytes}, {"element_types", kElementTypes}}},
           {"instructions", list_json(report.instructions, entry_json)},
           {"runs", list_json(report.runs, run_json)},
           {"timing", timing_json(report.timing)}};
 }
 
 std::string report_text(const Report& report) { return json_text(to_json(report)); }
+
+std::string_view report_json_schema() { return kReportJsonSchema; }
 
 }  // namespace lanescope

@@ -50,7 +50,7 @@ void render(const CLI::App& app, const Arguments& arguments) {
   run_experiment({configuration}, options);
 }
 
-std::function<void()> declare(CLI::App& app) {
+Action declare(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   const auto add = [&](const char* option, std::string& text, const char* form,
                        const char* meaning) {

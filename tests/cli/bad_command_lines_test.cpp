@@ -36,10 +36,12 @@ const std::string kTables =
 
 const std::vector<BadLine> kBadLines{
     // Commands and their arguments.
-    {"", "command: none given; use run, tables, list or render"},
+    {"", "command: none given; use run, tables, list, render or schema"},
     {"runn",
-     "command: 'runn' is not a command; use run, tables, list or render; did you mean 'run'?"},
-    {"zzzzzz", "command: 'zzzzzz' is not a command; use run, tables, list or render"},
+     "command: 'runn' is not a command; use run, tables, list, render or schema; did "
+     "you mean 'run'?"},
+    {"zzzzzz",
+     "command: 'zzzzzz' is not a command; use run, tables, list, render or schema"},
     {"--versoin", "--versoin: is not an option of lanescope; did you mean '--version'?"},
     {"run teapot", "run: unexpected argument 'teapot'"},
     {"run --widht 8", "--widht: is not an option of run; did you mean '--width'?"},
@@ -141,6 +143,7 @@ const std::vector<BadLine> kBadLines{
     {"tables --from / ", "/: is a directory; a file is needed"},
     {"tables --from r.json --scene teapot", "--scene excludes --from"},
     {"tables --from r.json --msaa 16", "--msaa excludes --from"},
+    {"schema version", "schema: unexpected argument 'version'"},
     {"tables --out /dev/null/x", "/dev/null/x: cannot be created as a directory: Not a directory"},
 };
 

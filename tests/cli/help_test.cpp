@@ -19,7 +19,9 @@ TEST_P(Help, GoesToStandardOutputWithAnExample) {
   EXPECT_NE(help.output.find("Examples:\n  lanescope "), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, Help, ::testing::Values("", "run", "tables", "list", "render"),
+INSTANTIATE_TEST_SUITE_P(Commands, Help,
+                         ::testing::Values("", "run", "tables", "list", "render", "compare", "csv",
+                                           "schema"),
                          [](const auto& info) {
                            return info.param.empty() ? std::string("program") : info.param;
                          });

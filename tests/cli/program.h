@@ -15,4 +15,7 @@ struct Outcome {
 /// Runs `lanescope` with arguments as they are typed in a shell, in a directory.
 Outcome lanescope_program(const std::string& arguments, const std::string& directory = ".");
 
+/// Runs any command line in the same way.
+Outcome shell(const std::string& command_line, const std::string& directory = ".");
+
 }  // namespace lanescope::testing
