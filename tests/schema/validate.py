@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Validates reports against their JSON Schema: validate.py SCHEMA REPORT...
 
-Prints the first errors of each report as `file:/json/pointer: what is wrong`. The exit status is 0 if
-all reports are valid, 1 if one is not, and 2 if the schema or a report cannot be read.
+Prints the first errors of each report as `file:/json/pointer: what is wrong`. The exit status is 0
+if all reports are valid, 1 if one is not, and 2 if the schema or a report cannot be read.
 """
 
 import json
@@ -40,7 +40,7 @@ def main(arguments):
     validator = Draft202012Validator(schema)
     valid = True
     for path in arguments[1:]:
-        errors = sorted(validator.iter_errors(read(path)), key=lambda e: list(map(str, e.absolute_path)))
+        errors = sorted(validator.iter_errors(read(path)), key=lambda error: describe(path, error))
         for error in errors[:ERRORS_SHOWN]:
             print(describe(path, error))
         valid = valid and not errors
