@@ -36,12 +36,12 @@ const std::string kTables =
 
 const std::vector<BadLine> kBadLines{
     // Commands and their arguments.
-    {"", "command: none given; use run, tables, list, render or schema"},
+    {"", "command: none given; use run, tables, list, render, compare, csv or schema"},
     {"runn",
-     "command: 'runn' is not a command; use run, tables, list, render or schema; did "
+     "command: 'runn' is not a command; use run, tables, list, render, compare, csv or schema; did "
      "you mean 'run'?"},
     {"zzzzzz",
-     "command: 'zzzzzz' is not a command; use run, tables, list, render or schema"},
+     "command: 'zzzzzz' is not a command; use run, tables, list, render, compare, csv or schema"},
     {"--versoin", "--versoin: is not an option of lanescope; did you mean '--version'?"},
     {"run teapot", "run: unexpected argument 'teapot'"},
     {"run --widht 8", "--widht: is not an option of run; did you mean '--width'?"},
@@ -143,6 +143,28 @@ const std::vector<BadLine> kBadLines{
     {"tables --from / ", "/: is a directory; a file is needed"},
     {"tables --from r.json --scene teapot", "--scene excludes --from"},
     {"tables --from r.json --msaa 16", "--msaa excludes --from"},
+    // Reports.
+    {"compare", "compare: name two reports: old and new"},
+    {"compare a.json", "compare: name two reports: old and new"},
+    {"compare a.json b.json --fail-over -1",
+     "--fail-over: '-1' is not a share of at least 0, as 0.01 or 1%"},
+    {"compare a.json b.json --fail-over 1%%",
+     "--fail-over: '1%%' is not a share of at least 0, as 0.01 or 1%"},
+    {"compare a.json b.json --fail-over nan",
+     "--fail-over: 'nan' is not a share of at least 0, as 0.01 or 1%"},
+    {"compare a.json b.json --fail-over %",
+     "--fail-over: '%' is not a share of at least 0, as 0.01 or 1%"},
+    {"compare a.json b.json --limit -1", "--limit: '-1' is not an integer from 0 to 1048576"},
+    {"compare a.json b.json --format csv", "--format: 'csv' is not text, markdown or json"},
+    {"compare a.json b.json --ignore seed,seed", "--ignore: 'seed,seed' has 'seed' twice"},
+    {"compare /nonexistent/a.json b.json",
+     "/nonexistent/a.json: cannot be read: No such file or directory"},
+    {"compare a.json b.json -o /nonexistent/c.txt",
+     "/nonexistent/c.txt: cannot be written: No such file or directory"},
+    {"csv", "csv: of what? Name one or more reports"},
+    {"csv a.json --rows stage",
+     "--rows: 'stage' is not instructions, stages or runs; did you mean 'stages'?"},
+    {"csv /nonexistent/a.json", "/nonexistent/a.json: cannot be read: No such file or directory"},
     {"schema version", "schema: unexpected argument 'version'"},
     {"tables --out /dev/null/x", "/dev/null/x: cannot be created as a directory: Not a directory"},
 };
