@@ -10,6 +10,7 @@
 
 #include "analysis/configuration_json.h"
 #include "analysis/figures.h"
+#include "analysis/json_text.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {
@@ -27,8 +28,6 @@ struct RunValue {
   Json value;
   Counts list;
 };
-
-std::string hash_text(std::uint64_t hash) { return fmt::format("{:#018x}", hash); }
 
 /// Collects the figures of a run.
 class RunValues {

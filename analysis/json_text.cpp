@@ -57,6 +57,8 @@ void append(std::string& text, const Json& value, std::size_t indent) {
 
 double json_number(float value) { return std::strtod(fmt::format("{}", value).c_str(), nullptr); }
 
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:#018x}", hash); }
+
 std::string json_text(const Json& value) {
   std::string text;
   append(text, value, 0);

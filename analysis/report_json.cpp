@@ -20,8 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string hex(std::uint64_t value) { return fmt::format("{:#018x}", value); }
-
 /// Microseconds are enough for times.
 double rounded_ms(double ms) { return std::round(ms * 1000.0) / 1000.0; }
 
@@ -104,7 +102,7 @@ Json metric_json(const RunRecord& run, const MetricRecord& metric) {
 Json run_json(const RunRecord& run) {
   const Configuration& c = run.configuration;
   return {{"parameters", configuration_json(c)},
-          {"scene_hash", hex(run.scene_hash)},
+          {"scene_hash", hash_text(run.scene_hash)},
           {"thesis_like", run.thesis_like},
           {"tessellation", tessellation_json(run.tessellation)},
           {"stages", list_json(run.stages, [&](const auto& s) { return stage_json(s, c.width); })},
@@ -115,8 +113,8 @@ Json run_json(const RunRecord& run) {
            {{"packets", run.observation.packets},
             {"packets_observed", run.observation.packets_observed}}},
           {"source_lines", list_json(run.source_lines, source_line_json)},
-          {"hits_hash", hex(run.hits_hash)},
-          {"frame_hash", hex(run.frame_hash)},
+          {"hits_hash", hash_text(run.hits_hash)},
+          {"frame_hash", hash_text(run.frame_hash)},
           {"samples_covered", run.samples_covered}};
 }
 

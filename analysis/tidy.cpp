@@ -16,10 +16,13 @@ std::string number_text(std::optional<double> value) {
   return value ? fmt::format("{}", *value) : "";
 }
 std::string count_text(std::uint64_t count) { return fmt::format("{}", count); }
-std::string hash_text(std::uint64_t hash) { return fmt::format("x{:016x}", hash); }
+/// As both R and pandas read it.
+std::string switch_text(bool on) { return on ? "TRUE" : "FALSE"; }
+std::string tidy_hash(std::uint64_t hash) { return fmt::format("x{:016x}", hash); }
 
 std::string parameter_text(const nlohmann::ordered_json& value) {
   if (value.is_null()) return "";
+  if (value.is_boolean()) return switch_text(value.get<bool>());
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
@@ -123,10 +126,10 @@ void add_run_row(TidyTable& table, const Place& place) {
   const RunRecord& run = place.run();
   RowWriter row(table);
   set_parameters(row, place);
-  row.set("thesis_like", run.thesis_like ? "true" : "false");
-  row.set("scene_hash", hash_text(run.scene_hash));
-  row.set("hits_hash", hash_text(run.hits_hash));
-  row.set("frame_hash", hash_text(run.frame_hash));
+  row.set("thesis_like", switch_text(run.thesis_like));
+  row.set("scene_hash", tidy_hash(run.scene_hash));
+  row.set("hits_hash", tidy_hash(run.hits_hash));
+  row.set("frame_hash", tidy_hash(run.frame_hash));
   row.set("samples_covered", count_text(run.samples_covered));
   set_observation(row, run);
   row.set("kernel_ms", number_text(place.source.report.timing.kernel_ms[place.index]));

@@ -30,8 +30,8 @@ struct TidyTable {
 };
 
 /// The rows of all reports, in their order. Counters and metrics of runs become columns: the union
-/// over all runs. Numbers have a point; hashes begin with `x`, so that no reader of CSV takes them
-/// for numbers.
+/// over all runs. Numbers have a point; switches are TRUE or FALSE; hashes begin with `x`, so that
+/// no reader of CSV takes them for numbers.
 TidyTable tidy(const std::vector<NamedReport>& reports, TidyRows rows);
 
 /// The table as CSV with a header.

@@ -24,7 +24,7 @@ StageRecord stage_record(const SampleStage& stage) {
   record.instructions = {
       {"add", stage.issued, stage.active, stage.overhead_issued, stage.overhead_issued}};
   add_lanes(record, stage);
-  if (stage.name != "Process") return record;
+  if (stage.name != "Process" || stage.issued == 0 || stage.active < stage.issued) return record;
   const std::uint64_t lanes = stage.active / stage.issued;
   record.instructions.front().issued -= 1;
   record.instructions.front().active -= lanes;

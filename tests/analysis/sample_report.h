@@ -10,7 +10,8 @@
 
 namespace lanescope::testing {
 
-/// A stage that issued `add`, and if it is Process also one `scatter`, which is observed.
+/// A stage that issued `add`, and if it is Process also one `scatter`, which is observed. Requires
+/// `active` of at most 8 lanes for each instruction.
 struct SampleStage {
   std::string name;
   std::uint64_t issued;

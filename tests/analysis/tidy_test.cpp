@@ -95,7 +95,7 @@ TEST(Tidy, AnInstructionHasItsRunAndItsKind) {
   EXPECT_EQ(scatter["kernel"], "lockstep");
   EXPECT_EQ(scatter["width_lanes"], "8");
   EXPECT_EQ(scatter["mesh_patches"], "");
-  EXPECT_EQ(scatter["jitter"], "true");
+  EXPECT_EQ(scatter["jitter"], "TRUE");
   EXPECT_EQ(scatter["dice_area_px"], "1.0");
   EXPECT_EQ(scatter["stage"], "Process");
   EXPECT_EQ(scatter["mnemonic"], "scatter");
@@ -134,6 +134,7 @@ TEST(Tidy, CountersAreTheUnionOverRuns) {
   EXPECT_EQ(repack["working_set_maximum"], "32");
   EXPECT_EQ(lockstep["scene_hash"], "x0123456789abcdef");
   EXPECT_EQ(lockstep["kernel_ms"], "0.25");
+  EXPECT_EQ(lockstep["thesis_like"], "TRUE");
 }
 
 TEST(Tidy, UncountedRunsHaveNoCounts) {
