@@ -60,6 +60,8 @@ double json_number(float value) { return std::strtod(fmt::format("{}", value).c_
 
 double json_ms(double ms) { return std::round(ms * 1000.0) / 1000.0; }
 
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:#018x}", hash); }
+
 std::string json_text(const Json& value) {
   std::string text;
   append(text, value, 0);

@@ -3,6 +3,7 @@
 // line.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -14,6 +15,9 @@ double json_number(float value);
 
 /// A time, to the microsecond.
 double json_ms(double ms);
+
+/// A hash as reports have it: `0x` and 16 hexadecimal digits.
+std::string hash_text(std::uint64_t hash);
 
 /// The document, with a newline at the end. Values that are not finite are written as null.
 std::string json_text(const nlohmann::ordered_json& value);

@@ -10,11 +10,14 @@
 #include "simulator/memory.h"
 
 namespace lanescope {
+
+/// Generated from analysis/data/report.schema.json.
+extern const char* const kReportJsonSchema;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string hex(std::uint64_t value) { return fmt::format("{:#018x}", value); }
 
 Json ratio_json(const Ratio& ratio) {
   const auto value = ratio.value();
@@ -115,7 +118,7 @@ Json timing_json(const Timing& timing) {
 Json to_json(const RunRecord& run) {
   const Configuration& c = run.configuration;
   return {{"parameters", configuration_json(c)},
-          {"scene_hash", hex(run.scene_hash)},
+          {"scene_hash", hash_text(run.scene_hash)},
           {"thesis_like", run.thesis_like},
           {"tessellation", tessellation_json(run.tessellation)},
           {"stages", list_json(run.stages, [&](const auto& s) { return stage_json(s, c.width); })},
@@ -126,8 +129,8 @@ Json to_json(const RunRecord& run) {
            {{"packets", run.observation.packets},
             {"packets_observed", run.observation.packets_observed}}},
           {"source_lines", list_json(run.source_lines, source_line_json)},
-          {"hits_hash", hex(run.hits_hash)},
-          {"frame_hash", hex(run.frame_hash)},
+          {"hits_hash", hash_text(run.hits_hash)},
+          {"frame_hash", hash_text(run.frame_hash)},
           {"samples_covered", run.samples_covered}};
 }
 
@@ -139,12 +142,14 @@ Json to_json(const Report& report) {
         {"version", report.program_version},
         {"commit", report.commit.empty() ? Json(nullptr) : Json(report.commit)},
         {"command", report.command}}},
-      {"machine", {{"line_bytes", kLineBytes}, {"element_types", {"float32", "int32", "uint32"}}}},
+      {"machine", {{"line_bytes", kLineBytes}, {"element_types", kElementTypes}}},
       {"instructions", list_json(report.instructions, entry_json)},
       {"runs", list_json(report.runs, [](const RunRecord& run) { return to_json(run); })},
       {"timing", timing_json(report.timing)}};
 }
 
 std::string report_text(const Report& report) { return json_text(to_json(report)); }
+
+std::string_view report_json_schema() { return kReportJsonSchema; }
 
 }  // namespace lanescope

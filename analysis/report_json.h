@@ -3,6 +3,7 @@
 // hexadecimal strings, and a ratio is {numerator, denominator, value}, with null where undefined.
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -10,6 +11,9 @@
 #include "analysis/report.h"
 
 namespace lanescope {
+
+/// Types of the elements of a vector, by their names in reports.
+inline constexpr std::array<std::string_view, 3> kElementTypes{"float32", "int32", "uint32"};
 
 nlohmann::ordered_json to_json(const Report& report);
 /// One element of the member `runs`.
@@ -26,5 +30,14 @@ Report parse_report(std::string_view text, const std::string& where);
 
 /// Reads a report from a file. Throws InputError as parse_report does, or if it cannot be read.
 Report read_report(const std::string& path);
+
+/// A report among others.
+struct NamedReport {
+  std::string name;  ///< Of the file.
+  Report report;
+};
+
+/// The JSON Schema (2020-12) of the form, as a document.
+std::string_view report_json_schema();
 
 }  // namespace lanescope

@@ -86,7 +86,7 @@ void annotate_sources(const CLI::App& app, const Arguments& a) {
     print(fmt::format("\n{}\n\n{}", annotation.title(), annotated_source(annotation)));
 }
 
-std::function<void()> declare(CLI::App& app) {
+Action declare(CLI::App& app) {
   const auto a = std::make_shared<Arguments>();
   CLI::Option* from = app.add_option("--from", a->from, "Reads a report instead of running kernels")
                           ->type_name("FILE")

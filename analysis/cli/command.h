@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace CLI {
@@ -12,14 +13,34 @@ class App;
 
 namespace lanescope {
 
+/// What runs a command once its options are parsed, and returns the exit status. It is made from a
+/// callable that returns the status, or from one that returns nothing: then the status is 0.
+class Action {
+ public:
+  template <class Run>
+  Action(Run run)
+      : run_([run]() -> int {
+          if constexpr (std::is_void_v<decltype(run())>) {
+            run();
+            return 0;
+          } else {
+            return run();
+          }
+        }) {}
+  int operator()() const { return run_(); }
+
+ private:
+  std::function<int()> run_;
+};
+
 /// The descriptor; analysis/cli/<name>.cpp ends in one, and the registry lists them.
 struct Command {
   std::string_view name;
   std::string_view summary;
   std::string_view examples;  ///< Lines for the end of --help.
-  /// Declares the command's options on `app` and returns what runs it once they are parsed. That
-  /// throws InputError for the user's mistakes.
-  std::function<void()> (*declare)(CLI::App& app);
+  /// Declares the command's options on `app` and returns what runs it. That throws InputError for
+  /// the user's mistakes.
+  Action (*declare)(CLI::App& app);
 };
 
 /// Every command, in the order of analysis/cli/CMakeLists.txt.

@@ -70,7 +70,7 @@ void list(const std::string& what) {
     if (list.name == chosen) print(list.text());
 }
 
-std::function<void()> declare(CLI::App& app) {
+Action declare(CLI::App& app) {
   const auto what = std::make_shared<std::string>();
   app.add_option("what", *what, "kernels, scenes, instructions or tables")->type_name("WHAT");
   return [what] { list(*what); };

@@ -58,8 +58,6 @@ void refuse_empty_values(const CLI::App& app) {
       if (value.empty()) throw InputError(option->get_name(), "has an empty value");
 }
 
-using Action = std::function<void()>;
-
 Action declare(CLI::App& app, const Command& command) {
   CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
   sub->footer(fmt::format("\nExamples:\n{}", command.examples));
@@ -68,7 +66,7 @@ Action declare(CLI::App& app, const Command& command) {
   return [sub, action] {
     refuse_extras(*sub);
     refuse_empty_values(*sub);
-    action();
+    return action();
   };
 }
 
@@ -105,10 +103,7 @@ int run(int argc, char** argv) {
     return kUsersMistake;
   }
   for (const auto& [command, action] : actions)
-    if (command->parsed()) {
-      action();
-      return 0;
-    }
+    if (command->parsed()) return action();
   refuse_unknown_command(app);
   return 0;
 }

@@ -57,7 +57,7 @@ void merge(const CLI::App& app, const Arguments& arguments) {
   output.write(report_text(merged));
 }
 
-std::function<void()> declare(CLI::App& app) {
+Action declare(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("inputs", arguments->inputs, "Reports, and directories of sweeps")
       ->type_name("FILE-OR-DIR");

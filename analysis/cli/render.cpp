@@ -112,7 +112,7 @@ void render(const CLI::App& app, const Arguments& arguments) {
   picture.write(picture_png(show, configuration, options));
 }
 
-std::function<void()> declare(CLI::App& app) {
+Action declare(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   const auto add = [&](const char* option, std::string& text, const char* form,
                        const char* meaning) {

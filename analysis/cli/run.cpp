@@ -38,7 +38,7 @@ void run(const CLI::App& app, const Arguments& arguments) {
   if (!json.is_stdout()) print(find_format("text").write(run_summaries(report)));
 }
 
-std::function<void()> declare(CLI::App& app) {
+Action declare(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   const auto add = [&](const char* option, std::string& text, const char* form,
                        const char* meaning) {

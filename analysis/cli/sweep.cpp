@@ -177,7 +177,7 @@ void sweep(const CLI::App& app, const Arguments& arguments) {
                      summary.failed, summary.cells, directory.failed_path());
 }
 
-std::function<void()> declare(CLI::App& app) {
+Action declare(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   const auto add = [&](const char* option, std::string& text, const char* form,
                        const char* meaning) {

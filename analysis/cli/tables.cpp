@@ -165,7 +165,7 @@ void add_output_options(CLI::App& app, Arguments& arguments) {
   add("--out", arguments.out, "DIR", "Writes report, tables in all formats, and pictures there");
 }
 
-std::function<void()> declare(CLI::App& app) {
+Action declare(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   add_experiment_options(app, arguments->experiment);
   CLI::Option* from =

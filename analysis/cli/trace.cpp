@@ -137,7 +137,7 @@ void run(const CLI::App& app, const Arguments& arguments) {
   outputs.write();
 }
 
-std::function<void()> declare(CLI::App& app) {
+Action declare(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
   const auto add = [&](const char* group, const char* option, std::string& text, const char* form,
                        const char* meaning) {

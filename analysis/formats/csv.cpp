@@ -2,18 +2,11 @@
 // Tidy data: one line for each figure, unscaled and unrounded, for notebooks.
 #include <fmt/format.h>
 
+#include "analysis/csv_text.h"
 #include "analysis/format.h"
 
 namespace lanescope {
 namespace {
-
-/// A field in quotes if it needs them (RFC 4180).
-std::string field(std::string_view text) {
-  if (text.find_first_of(",\"\n\r") == text.npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
 
 std::string number(std::optional<double> value) { return value ? fmt::format("{}", *value) : ""; }
 
@@ -28,10 +21,10 @@ std::string line(const Place& place, std::string_view quantity, const Figure& fi
                  std::string_view words) {
   const auto difference =
       figure.ours && figure.thesis ? std::optional(*figure.ours - *figure.thesis) : std::nullopt;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", field(place.table.name),
-                     field(place.table.caption), field(place.group), field(place.row),
-                     field(place.column), field(quantity), words.empty() ? figure.unit->name : "",
-                     number(figure.ours), number(figure.thesis), number(difference), field(words));
+  return csv_line({place.table.name, place.table.caption, place.group, place.row, place.column,
+                   std::string(quantity), words.empty() ? std::string(figure.unit->name) : "",
+                   number(figure.ours), number(figure.thesis), number(difference),
+                   std::string(words)});
 }
 
 std::string cell_lines(const Place& place, const Cell& cell) {

@@ -6,6 +6,45 @@ namespace {
 
 constexpr int kWidth = 8;
 
+/// As many lanes as possible on in each instruction, and always the first ones.
+void add_lanes(StageRecord& record, const SampleStage& stage) {
+  record.lane_active.assign(kWidth, 0);
+  record.histogram.assign(kWidth + 1, 0);
+  for (std::uint64_t i = 0; i < stage.issued; ++i) {
+    const std::uint64_t lanes = (stage.active + i) / stage.issued;
+    record.histogram[lanes] += 1;
+    for (std::size_t lane = 0; lane < lanes; ++lane) record.lane_active[lane] += 1;
+  }
+}
+
+/// All `add`, but for the first instruction of Process: a `scatter` to one element.
+StageRecord stage_record(const SampleStage& stage) {
+  StageRecord record;
+  record.name = stage.name;
+  record.instructions = {
+      {"add", stage.issued, stage.active, stage.overhead_issued, stage.overhead_issued}};
+  add_lanes(record, stage);
+  if (stage.name != "Process" || stage.issued == 0 || stage.active < stage.issued) return record;
+  const std::uint64_t lanes = stage.active / stage.issued;
+  record.instructions.front().issued -= 1;
+  record.instructions.front().active -= lanes;
+  record.instructions.push_back({"scatter", 1, lanes});
+  std::vector<std::uint64_t> lines(kWidth + 1, 0);
+  lines[1] = 1;
+  record.memory = {{"scatter", 1, lanes, 1, lines, lanes - 1}};
+  return record;
+}
+
+/// One packet of three is observed: an instruction of each stage, with one lane on.
+void add_observation(RunRecord& run) {
+  run.observation = {3, 1};
+  for (const StageRecord& stage : run.stages)
+    run.source_lines.push_back({"kernels/sample.h",
+                                static_cast<std::uint32_t>(10 + run.source_lines.size()),
+                                stage.name, 1, 1, stage.total().overhead_issued > 0 ? 1u : 0u});
+  run.series = {{"box_candidates", "candidates of each box", "candidates", "boxes", {0, 3, 1}}};
+}
+
 void add_counters(RunRecord& run, std::uint64_t rasterized) {
   run.counters = {
       {"micropolygons_seen", "micropolygons in the packets", "micropolygons", 2 * rasterized},
@@ -21,6 +60,7 @@ void add_counters(RunRecord& run, std::uint64_t rasterized) {
 
 std::vector<SampleStage> quads(std::vector<SampleStage> stages) {
   for (SampleStage& stage : stages) {
+    if (stage.name == "Setup") continue;
     stage.issued = stage.issued * 8 / 10;
     stage.active = stage.active * 8 / 10;
     stage.overhead_issued = stage.overhead_issued * 8 / 10;
@@ -55,13 +95,9 @@ RunRecord sample_run(const std::string& kernel, const std::string& scene, Microp
   run.configuration.width = kWidth;
   run.configuration.options.shape = shape;
   run.thesis_like = true;
-  for (const SampleStage& stage : stages)
-    run.stages.push_back(
-        {stage.name,
-         {{"add", stage.issued, stage.active, stage.overhead_issued, stage.overhead_issued}},
-         std::vector<std::uint64_t>(kWidth, stage.active / kWidth),
-         std::vector<std::uint64_t>(kWidth + 1, 1)});
+  for (const SampleStage& stage : stages) run.stages.push_back(stage_record(stage));
   add_counters(run, rasterized);
+  add_observation(run);
   if (kernel == "repack") {
     run.counters.push_back({"working_set_sum", "micropolygons alive", "micropolygons", 280});
     run.counters.push_back({"working_set_observations", "observations", "observations", 10});
@@ -69,6 +105,8 @@ RunRecord sample_run(const std::string& kernel, const std::string& scene, Microp
   }
   run.scene_hash = 0x0123456789abcdef;
   run.hits_hash = 0xffffffffffffffff;
+  run.frame_hash = 0x00000000000000ff;
+  run.tessellation = {1, 2, 3, 4, 5, 6};
   run.samples_covered = 10;
   return run;
 }
@@ -76,8 +114,10 @@ RunRecord sample_run(const std::string& kernel, const std::string& scene, Microp
 Report sample_report() {
   Report report;
   report.program_version = "0.1.0";
+  report.commit = "0123456789ab";
   report.command = "lanescope tables";
-  report.instructions = {{"add", "r[i] = a[i] + b[i]", "arithmetic", "active_lanes"}};
+  report.instructions = {{"add", "r[i] = a[i] + b[i]", "arithmetic", "active_lanes"},
+                         {"scatter", "memory[index[i]] = v[i]", "memory", "active_lanes"}};
   add_scene(report, "first",
             {{"Setup", 2, 16}, {"Bound", 10, 72}, {"Test", 60, 360}, {"Process", 30, 60}},
             {{"Setup", 2, 16},
@@ -97,8 +137,9 @@ Report sample_report() {
   add_scene(report, "third", {{"Setup", 1, 8}, {"Bound", 10, 80}, {"Test", 10, 80}},
             {{"Setup", 1, 8}, {"Bound", 10, 80}, {"Test", 10, 80}}, 10);
   for (RunRecord& run : report.runs) run.thesis_like = run.configuration.scene != "third";
-  report.timing = {12.5, 2, "a processor", "a compiler",
-                   std::vector<double>(report.runs.size(), 0.25)};
+  report.timing = {
+      12.5, 2,    "a processor", "a compiler", std::vector<double>(report.runs.size(), 0.25),
+      1.5,  0.75, 1048576};
   return report;
 }
 

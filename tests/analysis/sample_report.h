@@ -10,7 +10,8 @@
 
 namespace lanescope::testing {
 
-/// A stage that issued one kind of instruction.
+/// A stage that issued `add`, and if it is Process also one `scatter`, which is observed. Requires
+/// `active` of at most 8 lanes for each instruction.
 struct SampleStage {
   std::string name;
   std::uint64_t issued;
@@ -31,8 +32,8 @@ RunRecord sample_run(const std::string& kernel, const std::string& scene, Microp
 ///   Process               30 /  60                20 /  80
 ///   rasterized            20                      10
 ///
-/// and on `third`, which is not like the thesis's. Quads issue 8/10 of the instructions for half of
-/// the micropolygons.
+/// and on `third`, which is not like the thesis's. Quads issue 8/10 of the instructions (all of
+/// Setup's) for half of the micropolygons.
 Report sample_report();
 
 }  // namespace lanescope::testing

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "analysis/configuration.h"
 #include "tests/cli/program.h"
 
 namespace lanescope {
@@ -34,15 +35,14 @@ const std::string kTables =
     "utilization_lockstep_quad, utilization_repack_quad, quads_vs_triangles, total_instructions, "
     "sample_tests, working_set, conflicts, claims or deviation";
 
+const std::string kCommandNames = list_or(std::span(testing::kCommands));
+
 const std::vector<BadLine> kBadLines{
     // Commands and their arguments.
-    {"", "command: none given; use run, sweep, merge, tables, list, render or annotate"},
+    {"", "command: none given; use " + kCommandNames},
     {"runn",
-     "command: 'runn' is not a command; use run, sweep, merge, tables, list, render or annotate; "
-     "did you "
-     "mean 'run'?"},
-    {"zzzzzz",
-     "command: 'zzzzzz' is not a command; use run, sweep, merge, tables, list, render or annotate"},
+     "command: 'runn' is not a command; use " + kCommandNames + "; did you mean 'run'?"},
+    {"zzzzzz", "command: 'zzzzzz' is not a command; use " + kCommandNames},
     {"--versoin", "--versoin: is not an option of lanescope; did you mean '--version'?"},
     {"run teapot", "run: unexpected argument 'teapot'"},
     {"run --widht 8", "--widht: is not an option of run; did you mean '--width'?"},
@@ -144,6 +144,29 @@ const std::vector<BadLine> kBadLines{
     {"tables --from / ", "/: is a directory; a file is needed"},
     {"tables --from r.json --scene teapot", "--scene excludes --from"},
     {"tables --from r.json --msaa 16", "--msaa excludes --from"},
+    // Reports.
+    {"compare", "compare: name two reports: old and new"},
+    {"compare a.json", "compare: name two reports: old and new"},
+    {"compare a.json b.json --fail-over -1",
+     "--fail-over: '-1' is not a share of at least 0, as 0.01 or 1%"},
+    {"compare a.json b.json --fail-over 1%%",
+     "--fail-over: '1%%' is not a share of at least 0, as 0.01 or 1%"},
+    {"compare a.json b.json --fail-over nan",
+     "--fail-over: 'nan' is not a share of at least 0, as 0.01 or 1%"},
+    {"compare a.json b.json --fail-over %",
+     "--fail-over: '%' is not a share of at least 0, as 0.01 or 1%"},
+    {"compare a.json b.json --limit -1", "--limit: '-1' is not an integer from 0 to 1048576"},
+    {"compare a.json b.json --format csv", "--format: 'csv' is not text, markdown or json"},
+    {"compare a.json b.json --ignore seed,seed", "--ignore: 'seed,seed' has 'seed' twice"},
+    {"compare /nonexistent/a.json b.json",
+     "/nonexistent/a.json: cannot be read: No such file or directory"},
+    {"compare a.json b.json -o /nonexistent/c.txt",
+     "/nonexistent/c.txt: cannot be written: No such file or directory"},
+    {"csv", "csv: of what? Name one or more reports"},
+    {"csv a.json --rows stage",
+     "--rows: 'stage' is not instructions, stages or runs; did you mean 'stages'?"},
+    {"csv /nonexistent/a.json", "/nonexistent/a.json: cannot be read: No such file or directory"},
+    {"schema version", "schema: unexpected argument 'version'"},
     {"tables --out /dev/null/x", "/dev/null/x: cannot be created as a directory: Not a directory"},
 };
 

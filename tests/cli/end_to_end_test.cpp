@@ -5,49 +5,17 @@
 #include <filesystem>
 #include <set>
 
-#include "analysis/files.h"
 #include "analysis/json_text.h"
 #include "analysis/report_json.h"
-#include "tests/cli/program.h"
+#include "tests/cli/working_directory.h"
 
 namespace lanescope {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::lanescope_program;
 using testing::Outcome;
 
-/// Runs in an empty directory that goes away with the test.
-class EndToEnd : public ::testing::Test {
- protected:
-  EndToEnd() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory_ = fs::path(::testing::TempDir()) / ("lanescope-cli-" + std::string(test->name()));
-    fs::remove_all(directory_);
-    fs::create_directory(directory_);
-  }
-  ~EndToEnd() override { fs::remove_all(directory_); }
-
-  Outcome run(const std::string& arguments) const {
-    const Outcome outcome = lanescope_program(arguments, directory_);
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    return outcome;
-  }
-  std::string file(const std::string& name) const { return read_file(directory_ / name); }
-  std::set<std::string> entries(const std::string& below = "") const {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(directory_ / below))
-      names.insert(entry.path().filename());
-    return names;
-  }
-  void write(const std::string& name, const std::string& text) const {
-    write_file(directory_ / name, text);
-  }
-  const fs::path& directory() const { return directory_; }
-
- private:
-  fs::path directory_;
-};
+class EndToEnd : public testing::InEmptyDirectory {};
 
 const std::string kSmall = " --resolution 96x60 ";
 

@@ -9,6 +9,12 @@ namespace {
 using testing::lanescope_program;
 using testing::Outcome;
 
+/// The commands and, as an empty name, the program itself.
+std::vector<std::string> with_program(std::vector<std::string> commands) {
+  commands.emplace_back();
+  return commands;
+}
+
 class Help : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Help, GoesToStandardOutputWithAnExample) {
@@ -20,8 +26,7 @@ TEST_P(Help, GoesToStandardOutputWithAnExample) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         ::testing::Values("", "run", "sweep", "merge", "tables", "list", "render",
-                                           "annotate"),
+                         ::testing::ValuesIn(with_program(testing::kCommands)),
                          [](const auto& info) {
                            return info.param.empty() ? std::string("program") : info.param;
                          });

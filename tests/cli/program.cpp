@@ -13,16 +13,20 @@
 
 namespace lanescope::testing {
 
-Outcome lanescope_program(const std::string& arguments, const std::string& directory) {
+Outcome shell(const std::string& command_line, const std::string& directory) {
   const std::string stem = fmt::format("{}lanescope-program-{}", ::testing::TempDir(), ::getpid());
-  const std::string command = fmt::format("cd '{}' && '{}' {} >'{}.out' 2>'{}.err' </dev/null",
-                                          directory, LANESCOPE_BINARY, arguments, stem, stem);
+  const std::string command = fmt::format("cd '{}' && {} >'{}.out' 2>'{}.err' </dev/null",
+                                          directory, command_line, stem, stem);
   const int ended = std::system(command.c_str());
   Outcome outcome{WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended),
                   read_file(stem + ".out"), read_file(stem + ".err")};
   std::filesystem::remove(stem + ".out");
   std::filesystem::remove(stem + ".err");
   return outcome;
+}
+
+Outcome lanescope_program(const std::string& arguments, const std::string& directory) {
+  return shell(fmt::format("'{}' {}", LANESCOPE_BINARY, arguments), directory);
 }
 
 }  // namespace lanescope::testing

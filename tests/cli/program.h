@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace lanescope::testing {
 
@@ -12,7 +13,15 @@ struct Outcome {
   std::string errors;
 };
 
+/// Every command, in the order of the program's help.
+inline const std::vector<std::string> kCommands{"run",      "sweep", "merge",  "tables", "report",
+                                                "compare",  "csv",   "annotate", "trace", "render",
+                                                "list",     "schema"};
+
 /// Runs `lanescope` with arguments as they are typed in a shell, in a directory.
 Outcome lanescope_program(const std::string& arguments, const std::string& directory = ".");
+
+/// Runs any command line in the same way.
+Outcome shell(const std::string& command_line, const std::string& directory = ".");
 
 }  // namespace lanescope::testing

@@ -56,7 +56,7 @@ TEST(Readme, EveryCommandWorks) {
 TEST(Readme, LinksLeadSomewhere) {
   static const std::regex kLink(R"(\]\(([^)#:]+)(#[^)]*)?\))");
   for (const char* page : {"README.md", "docs/thesis.md", "docs/kernels.md", "docs/workloads.md",
-                           "docs/conventions.md"}) {
+                           "docs/conventions.md", "docs/report-format.md"}) {
     const fs::path path = fs::path(LANESCOPE_SOURCE_DIR) / page;
     const std::string text = read_file(path);
     for (std::sregex_iterator it(text.begin(), text.end(), kLink), end; it != end; ++it)
