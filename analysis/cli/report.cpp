@@ -60,7 +60,7 @@ std::function<void()> declare(CLI::App& app) {
 
 extern const Command c_report{"report", "Writes a page of charts from reports",
                               "  lanescope report out/report.json -o out/report.html\n"
-                              "  lanescope report a.json b.json --frames out -o report.html",
+                              "  lanescope report out/report.json other.json --frames out -o both.html",
                               declare};
 
 }  // namespace lanescope

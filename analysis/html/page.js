@@ -16,7 +16,7 @@
       labelFontSize: 11, titleFontSize: 11, titleFontWeight: "normal",
     },
     legend: {labelColor: ink, titleColor: ink, labelFontSize: 11, titleFontSize: 11, labelLimit: 260,
-             symbolStrokeWidth: 2},
+             symbolStrokeWidth: 2, symbolBaseFillColor: ink, symbolBaseStrokeColor: ink},
     header: {labelColor: ink, titleColor: ink, labelFontSize: 12, labelFontWeight: "bold"},
     text: {color: ink},
     view: {stroke: grid},

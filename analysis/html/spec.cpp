@@ -64,6 +64,12 @@ void fill_in(Json& spec, const Report& report) {
     spec = stage_colour(report);
   } else if (spec == "@lanes") {
     spec = lanes_axis(report);
+  } else if (spec == "@stages") {
+    spec = stages_of(report);
+  } else if (spec == "@kernels") {
+    spec = kernels_of(report);
+  } else if (spec == "@scenes") {
+    spec = scenes_of(report);
   } else if (spec.is_structured()) {
     for (Json& part : spec) fill_in(part, report);
   }
@@ -127,6 +133,10 @@ std::vector<std::string> kernels_of(const Report& report) {
         std::find(kernels.begin(), kernels.end(), kernel) == kernels.end())
       kernels.push_back(kernel);
   return kernels;
+}
+
+std::string shown_scenes(const ReportView& view) {
+  return fmt::format("{}", fmt::join(view.scenes(), ", "));
 }
 
 std::string shown_shape(Micropolygon shape) { return fmt::format("{}s", to_string(shape)); }

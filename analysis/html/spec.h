@@ -28,6 +28,8 @@ std::vector<int> widths_of(const Report& report);
 std::string shown_kernel(std::string_view kernel);
 /// The kernels of a report, shown so.
 std::vector<std::string> kernels_of(const Report& report);
+/// The scenes that figures are of: `ballroll, talking`.
+std::string shown_scenes(const ReportView& view);
 /// `triangles`.
 std::string shown_shape(Micropolygon shape);
 
@@ -37,8 +39,10 @@ nlohmann::ordered_json number_or_null(const std::optional<double>& value);
 /// The columns that name a run of a mean over scenes: `kernel`, `micropolygon`, `lanes` (W).
 std::vector<DataColumn> series_columns(std::vector<DataColumn> others);
 
-/// A Vega-Lite specification from its text, in which `"@stage"` stands for stage_colour() and
-/// `"@lanes"` for an axis of W on a logarithmic scale. Requires that it is JSON.
+/// A Vega-Lite specification from its text, in which `"@stage"` stands for the colour of a stage,
+/// `"@lanes"` for an axis of W on a logarithmic scale, and `"@stages"`, `"@kernels"` and
+/// `"@scenes"` for those of the report in order (facets are sorted by name otherwise). Requires
+/// that it is JSON.
 nlohmann::ordered_json spec_from(std::string_view text, const Report& report);
 
 /// `panel` for the rows whose `field` is `value`, which becomes its title. For panels with scales

@@ -50,21 +50,16 @@ std::string scenes_table(const std::vector<ReportSource>& sources) {
   for (const ReportSource& source : sources)
     for (const RunRecord& run : source.report.runs) {
       const Configuration& c = run.configuration;
-      std::vector<std::string> row{
-          c.scene,
-          std::string(to_string(c.shape())),
-          fmt::format("{}", c.frame),
-          fmt::format("{} x {}, {} samples a pixel", c.tessellation.width_px,
-                      c.tessellation.height_px, c.samples_per_pixel),
-          fmt::format("{}", run.tessellation.micropolygons),
-          fmt::format("{:#018x}", run.scene_hash),
-          run.thesis_like ? "yes" : "no"};
+      std::vector<std::string> row{c.scene,
+                                   std::string(to_string(c.shape())),
+                                   fmt::format("{}", c.frame),
+                                   fmt::format("{}", run.tessellation.micropolygons),
+                                   fmt::format("{:#018x}", run.scene_hash),
+                                   run.thesis_like ? "yes" : "no"};
       if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(std::move(row));
     }
-  return words_table("Scenes",
-                     {"Scene", "Micropolygon", "Frame", "Pixels", "Micropolygons", "Hash",
-                      "Stands in for one of the thesis's"},
-                     rows);
+  return words_table(
+      "Scenes", {"Scene", "Kind", "Frame", "Micropolygons", "Hash", "Like the thesis's"}, rows);
 }
 
 std::string shown_value(const Json& value) {

@@ -22,11 +22,11 @@ std::string_view measured_in(const Figure& figure) {
   return figure.unit == &kPercent || figure.unit == &kShare ? "points" : "%";
 }
 
-/// The words before the first colon that follows the number of a table, if it has one.
+/// `Table 4.1: LOCKSTEP, triangles` of a title that goes on after another colon.
 std::string short_title(const std::string& title) {
   const std::size_t colon = title.find(':');
   const std::size_t second = title.find(':', colon == title.npos ? colon : colon + 1);
-  return title.substr(0, second == title.npos ? colon : second);
+  return title.substr(0, second);
 }
 
 class Rows {

@@ -127,17 +127,19 @@ constexpr std::string_view kStacked = R"json({
                       {"op": "min", "field": "left", "as": "left"}],
         "groupby": ["kernel", "lanes"]},
        {"calculate": "datum.left + 0.16", "as": "middle"},
+       {"calculate": "datum.total * 1.06", "as": "above"},
        {"calculate": "slice(datum.kernel, 0, 1)", "as": "letter"}],
-     "mark": {"type": "text", "baseline": "bottom", "dy": -3, "fill": "currentColor"},
+     "mark": {"type": "text", "baseline": "bottom", "fill": "currentColor"},
      "encoding": {"x": {"field": "middle", "type": "quantitative"},
-                  "y": {"field": "total", "type": "quantitative"},
+                  "y": {"field": "above", "type": "quantitative"},
                   "text": {"field": "letter"}}}]
 })json";
 
 constexpr std::string_view kRatio = R"json({
   "width": 380, "height": 200,
   "layer": [
-    {"mark": {"type": "line", "point": true, "stroke": "currentColor"},
+    {"mark": {"type": "line", "stroke": "currentColor",
+              "point": {"fill": "currentColor", "stroke": null, "size": 40}},
      "encoding": {
        "x": "@lanes",
        "y": {"field": "ratio", "type": "quantitative", "title": "REPACK / LOCKSTEP",

@@ -35,8 +35,8 @@ std::vector<Block> lane_chart(const ReportView& view, const LaneChart& chart) {
       {"calculate": "datum.place - 0.5", "as": "left"},
       {"calculate": "datum.place + 0.5", "as": "right"}],
     "facet": {
-      "column": {"field": "stage", "title": null},
-      "row": {"field": "kernel", "title": null, "sort": null}},
+      "column": {"field": "stage", "title": null, "sort": "@stages"},
+      "row": {"field": "kernel", "title": null, "sort": "@kernels"}},
     "spec": {
       "width": 140, "height": 140,
       "mark": {"type": "rect"},
@@ -54,7 +54,6 @@ std::vector<Block> lane_chart(const ReportView& view, const LaneChart& chart) {
   encoding["x"]["title"] = chart.place_title;
   encoding["y"]["title"] = chart.share_title;
   encoding["color"]["legend"] = nullptr;  // The headings say it.
-  spec["facet"]["column"]["sort"] = stages_of(report);
   spec["params"] = {choice("pick_scene", "Scene", scenes_of(report), view.scenes().front()),
                     choice_of_shape(report), choice_of_lanes(report)};
   return {Chart{"panels", chart.caption, std::move(spec), rows(report, chart)}};

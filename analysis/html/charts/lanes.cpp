@@ -16,8 +16,8 @@ std::vector<Block> build(const ReportView& view) {
 
 }  // namespace
 
-extern const Section s_lanes{"lanes", "Activity of each lane",
-                             "Buffers fill lanes from the first, so that the last are idle first.",
-                             build};
+extern const Section s_lanes{
+    "lanes", "Activity of each lane",
+    "Where work is dealt out evenly, every lane is active as often as the others.", build};
 
 }  // namespace lanescope

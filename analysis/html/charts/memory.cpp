@@ -16,9 +16,7 @@ namespace {
 struct Place {
   std::string stage;
   std::string mnemonic;
-  bool operator<(const Place& other) const {
-    return std::tie(stage, mnemonic) < std::tie(other.stage, other.mnemonic);
-  }
+  std::string name() const { return stage + ": " + mnemonic; }
 };
 
 const MemoryRecord* find(const RunRecord& run, const Place& place) {
@@ -29,11 +27,16 @@ const MemoryRecord* find(const RunRecord& run, const Place& place) {
   return found == stage->memory.end() ? nullptr : &*found;
 }
 
-std::set<Place> places_of(const Report& report) {
-  std::set<Place> places;
-  for (const RunRecord& run : report.runs)
-    for (const StageRecord& stage : run.stages)
-      for (const MemoryRecord& memory : stage.memory) places.insert({stage.name, memory.mnemonic});
+/// In the order of stages, then of mnemonics.
+std::vector<Place> places_of(const Report& report) {
+  std::vector<Place> places;
+  for (const std::string& stage : stages_of(report)) {
+    std::set<std::string> mnemonics;
+    for (const RunRecord& run : report.runs)
+      if (const StageRecord* found = run.stage(stage))
+        for (const MemoryRecord& memory : found->memory) mnemonics.insert(memory.mnemonic);
+    for (const std::string& mnemonic : mnemonics) places.push_back({stage, mnemonic});
+  }
   return places;
 }
 
@@ -61,7 +64,7 @@ std::vector<DataColumn> columns(std::vector<DataColumn> others) {
 
 template <class Add>
 void for_each_place(const ReportView& view, const Add& add) {
-  const std::set<Place> places = places_of(view.report());
+  const std::vector<Place> places = places_of(view.report());
   for (const Series& series : series_of(view.report()))
     for (const int width : view.widths(series))
       for (const Place& place : places) add(series, width, place);
@@ -120,9 +123,10 @@ std::vector<Block> build(const ReportView& view) {
       {"calculate": "datum.stage + ': ' + datum.mnemonic", "as": "place"}],
     "facet": {"field": "place", "title": null},
     "columns": 4,
+    "resolve": {"axis": {"x": "independent"}},
     "spec": {
       "width": 165, "height": 120,
-      "mark": {"type": "line", "point": true},
+      "mark": {"type": "line", "point": {"size": 45}},
       "encoding": {
         "x": "@lanes",
         "y": {"field": "lines", "type": "quantitative", "title": "Lines/execution"},
@@ -138,6 +142,7 @@ std::vector<Block> build(const ReportView& view) {
       {"calculate": "datum.lines + 0.5", "as": "right"}],
     "facet": {"field": "place", "title": null},
     "columns": 4,
+    "resolve": {"axis": {"x": "independent"}},
     "spec": {
       "width": 165, "height": 100,
       "mark": "rect",
@@ -152,11 +157,14 @@ std::vector<Block> build(const ReportView& view) {
         "color": "@stage"}}
   })json";
   const Report& report = view.report();
+  std::vector<std::string> names;
+  for (const Place& place : places_of(report)) names.push_back(place.name());
   auto means_spec = spec_from(kMeans, report);
   means_spec["params"] = {choice_of_shape(report)};
   auto histogram_spec = spec_from(kHistograms, report);
   histogram_spec["params"] = {choice_of_kernel(report), choice_of_shape(report),
                               choice_of_lanes(report)};
+  means_spec["facet"]["sort"] = histogram_spec["facet"]["sort"] = names;
   return {Markup{observed_note(report)},
           Chart{"means",
                 "Distinct lines that one execution of a memory instruction touches, " +

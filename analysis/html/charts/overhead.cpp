@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
 #include "analysis/thesis.h"
@@ -39,8 +41,8 @@ std::vector<Block> build(const ReportView& view) {
   constexpr std::string_view kSpec = R"json({
     "transform": [{"calculate": "datum.kernel + ', ' + datum.micropolygon", "as": "series"}],
     "facet": {
-      "column": {"field": "stage", "title": null, "sort": null},
-      "row": {"field": "series", "title": null, "sort": null}},
+      "column": {"field": "stage", "title": null, "sort": "@stages"},
+      "row": {"field": "series", "title": null, "sort": []}},
     "spec": {
       "width": 125, "height": 160,
       "encoding": {
@@ -54,6 +56,9 @@ std::vector<Block> build(const ReportView& view) {
          "encoding": {"y": {"field": "thesis", "type": "quantitative"}}}]}
   })json";
   auto spec = spec_from(kSpec, view.report());
+  auto& order = spec["facet"]["row"]["sort"];
+  for (const Series& series : series_of(view.report()))
+    order.push_back(fmt::format("{}, {}", shown_kernel(series.kernel), shown_shape(series.shape)));
   spec["spec"]["layer"][0]["encoding"]["color"]["legend"] = nullptr;  // The headings say it.
   return {Chart{"shares",
                 "Share of the instructions of each stage that the kernel marks as overhead, " +

@@ -41,12 +41,11 @@ std::vector<Block> build(const ReportView& view) {
   constexpr std::string_view kSpec = R"json({
     "transform": [
       {"filter": "datum.kernel == pick_kernel && datum.lanes == pick_lanes && isValid(datum.relative)"}],
-    "width": {"step": 30}, "height": 260,
+    "width": {"step": 40}, "height": 260,
     "mark": "bar",
     "encoding": {
-      "column": {"field": "scene", "title": null, "sort": null,
-                 "header": {"labelOrient": "bottom", "labelPadding": 70}},
-      "x": {"field": "micropolygon", "type": "nominal", "title": null, "sort": null,
+      "column": {"field": "scene", "title": null, "sort": "@scenes"},
+      "x": {"field": "micropolygon", "type": "nominal", "title": null, "sort": ["triangles", "quads"],
             "axis": {"labelAngle": -90}},
       "y": {"field": "relative", "type": "quantitative",
             "title": "Instructions, relative to the scene's triangles"},

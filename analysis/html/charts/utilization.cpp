@@ -24,8 +24,8 @@ DataFrame rows(const ReportView& view) {
 std::vector<Block> build(const ReportView& view) {
   constexpr std::string_view kSpec = R"json({
     "facet": {
-      "column": {"field": "kernel", "title": null, "sort": null},
-      "row": {"field": "micropolygon", "title": null, "sort": null}},
+      "column": {"field": "kernel", "title": null, "sort": "@kernels"},
+      "row": {"field": "micropolygon", "title": null, "sort": ["triangles", "quads"]}},
     "spec": {
       "width": 330, "height": 230,
       "encoding": {

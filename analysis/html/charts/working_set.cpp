@@ -100,7 +100,7 @@ std::vector<Block> build(const ReportView& view) {
       "mark": {"type": "rect", "fill": "currentColor", "fillOpacity": 0.55},
       "encoding": {
         "x": {"field": "from", "type": "quantitative", "title": "Alive, in units of W",
-              "scale": {"nice": false}},
+              "scale": {"nice": false}, "axis": {"tickCount": 4}},
         "x2": {"field": "to"},
         "y": {"field": "share", "type": "quantitative", "title": "Invocations of Bound",
               "axis": {"format": "%"}},
@@ -114,12 +114,12 @@ std::vector<Block> build(const ReportView& view) {
       Chart{"course",
             "Mean of the micropolygons that REPACK keeps just after the n-th Bound of a packet, "
             "in units of W; all packets of " +
-                view.caption() + " together.",
+                shown_scenes(view) + " together.",
             std::move(course_spec), course(view)},
       Chart{"histogram",
             "Share of the invocations of Bound after which so many micropolygons were alive; "
             "all packets of " +
-                view.caption() + " together.",
+                shown_scenes(view) + " together.",
             std::move(histogram_spec), histogram(view)}};
 }
 
