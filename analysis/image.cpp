@@ -68,4 +68,49 @@ std::string png(const Image& image) {
   return bytes;
 }
 
+Image read_png(std::string_view bytes, const std::string& where) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  if (!png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()))
+    throw InputError(where, "is not a PNG file: {}", header.message);
+  header.format = PNG_FORMAT_RGB;
+  Image image{static_cast<int>(header.width), static_cast<int>(header.height), {}};
+  image.pixels.resize(std::size_t{header.width} * header.height);
+  const png_color background{};
+  if (!png_image_finish_read(&header, &background, image.pixels.data(), 0, nullptr))
+    throw InputError(where, "is not a whole PNG file: {}", header.message);
+  return image;
+}
+
+Image narrowed(const Image& image, int width_px) {
+  if (image.width_px <= width_px) return image;
+  const double step = static_cast<double>(image.width_px) / width_px;
+  Image small{width_px, std::max(1, static_cast<int>(std::lround(image.height_px / step))), {}};
+  // The first pixel of a box; boxes differ by a pixel in size where the widths do not divide.
+  const auto edge = [](int place, int from, int to) {
+    return static_cast<int>(std::int64_t{place} * from / to);
+  };
+  for (int y = 0; y < small.height_px; ++y)
+    for (int x = 0; x < width_px; ++x) {
+      std::array<double, 3> light{};
+      int count = 0;
+      for (int v = edge(y, image.height_px, small.height_px);
+           v < edge(y + 1, image.height_px, small.height_px); ++v)
+        for (int u = edge(x, image.width_px, width_px); u < edge(x + 1, image.width_px, width_px);
+             ++u, ++count) {
+          const Colour& pixel = image.pixels[static_cast<std::size_t>(v) * image.width_px + u];
+          for (std::size_t c = 0; c < 3; ++c) light[c] += pixel[c] * pixel[c];
+        }
+      Colour& mean = small.pixels.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c)
+        mean[c] = static_cast<std::uint8_t>(std::lround(std::sqrt(light[c] / count)));
+    }
+  return small;
+}
+
+std::string picture_name(const Configuration& configuration) {
+  if (configuration.is_mesh()) return "frame-mesh.png";
+  return "frame-" + configuration.scene + ".png";
+}
+
 }  // namespace lanescope

@@ -5,8 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "analysis/configuration.h"
 #include "kernels/frame.h"
 
 namespace lanescope {
@@ -29,5 +31,16 @@ Image resolve(const Frame& frame, Colour background);
 
 /// The bytes of a PNG file. Requires at least one pixel.
 std::string png(const Image& image);
+
+/// The picture of a PNG file, without transparency. `where` names it in messages. Throws InputError
+/// if the bytes are none.
+Image read_png(std::string_view bytes, const std::string& where);
+
+/// The same picture at most so wide, by a box filter that averages light as resolve() does.
+Image narrowed(const Image& image, int width_px);
+
+/// The file, within a directory of pictures, that shows the scene of a configuration; the path of a
+/// mesh is not a name.
+std::string picture_name(const Configuration& configuration);
 
 }  // namespace lanescope

@@ -79,12 +79,6 @@ std::vector<Configuration> thesis_experiment(const ExperimentArguments& argument
                {Micropolygon::kTriangle, Micropolygon::kQuad});
 }
 
-/// The name of a scene's picture; the path of a mesh is not a name.
-std::string picture_name(const Configuration& configuration) {
-  if (configuration.is_mesh()) return "frame-mesh.png";
-  return fmt::format("frame-{}.png", configuration.scene);
-}
-
 /// Writes the first frame of each scene as soon as it is there.
 class Pictures {
  public:

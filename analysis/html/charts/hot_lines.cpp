@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "analysis/annotation.h"
+#include "analysis/html/markup.h"
+#include "analysis/html/section.h"
+#include "analysis/html/table_html.h"
+
+namespace lanescope {
+namespace {
+
+constexpr std::size_t kLines = 15;
+
+std::vector<Block> build(const ReportView& view) {
+  std::string html;
+  for (const Annotation& annotation : annotate(view.report()))
+    html += fmt::format("<details><summary>{}</summary>\n{}</details>\n",
+                        html_escaped(annotation.title()),
+                        table_html(hottest_lines(annotation, kLines)));
+  if (html.empty()) return {};
+  return {Markup{html}};
+}
+
+}  // namespace
+
+extern const Section s_hot_lines{
+    "hot-lines", "Hottest lines of source",
+    "The lines of the kernels that issue most, over the packets that were observed.", build};
+
+}  // namespace lanescope

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/html/charts/lane_chart.h"
+
+#include "analysis/figures.h"
+#include "analysis/html/spec.h"
+
+namespace lanescope {
+namespace {
+
+DataFrame rows(const Report& report, const LaneChart& chart) {
+  DataFrame frame(series_columns({{"scene", "Scene", ""},
+                                  {"stage", "Stage", ""},
+                                  {"place", chart.place_title, ""},
+                                  {"share", chart.share_title, ".2%"}}));
+  for (const RunRecord& run : report.runs) {
+    const Configuration& c = run.configuration;
+    for (const StageRecord& stage : run.stages) {
+      const std::uint64_t issued = stage.total().issued;
+      const std::vector<std::uint64_t>& counts = chart.counts(stage);
+      for (std::size_t place = 0; place < counts.size(); ++place)
+        if (const auto share = Ratio{counts[place], issued}.value())
+          frame.add({shown_kernel(c.kernel), shown_shape(c.shape()), c.width, c.scene, stage.name,
+                     place, *share});
+    }
+  }
+  return frame;
+}
+
+}  // namespace
+
+std::vector<Block> lane_chart(const ReportView& view, const LaneChart& chart) {
+  constexpr std::string_view kSpec = R"json({
+    "transform": [
+      {"filter": "datum.scene == pick_scene && datum.micropolygon == pick_shape && datum.lanes == pick_lanes"},
+      {"calculate": "datum.place - 0.5", "as": "left"},
+      {"calculate": "datum.place + 0.5", "as": "right"}],
+    "facet": {
+      "column": {"field": "stage", "title": null, "sort": "@stages"},
+      "row": {"field": "kernel", "title": null, "sort": "@kernels"}},
+    "spec": {
+      "width": 140, "height": 140,
+      "mark": {"type": "rect"},
+      "encoding": {
+        "x": {"field": "left", "type": "quantitative", "scale": {"nice": false, "zero": false},
+              "axis": {"format": "d", "tickMinStep": 1, "tickCount": 4, "grid": false}},
+        "x2": {"field": "right"},
+        "y": {"field": "share", "type": "quantitative", "axis": {"format": "%", "tickCount": 4}},
+        "y2": {"datum": 0},
+        "color": "@stage"}}
+  })json";
+  const Report& report = view.report();
+  auto spec = spec_from(kSpec, report);
+  auto& encoding = spec["spec"]["encoding"];
+  encoding["x"]["title"] = chart.place_title;
+  encoding["y"]["title"] = chart.share_title;
+  encoding["color"]["legend"] = nullptr;  // The headings say it.
+  spec["params"] = {choice("pick_scene", "Scene", scenes_of(report), view.scenes().front()),
+                    choice_of_shape(report), choice_of_lanes(report)};
+  return {Chart{"panels", chart.caption, std::move(spec), rows(report, chart)}};
+}
+
+}  // namespace lanescope

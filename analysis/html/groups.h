@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Runs of several reports, pooled, and taken apart again into those that can be compared.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/report.h"
+
+namespace lanescope {
+
+/// A report and the file that it was read from.
+struct ReportSource {
+  std::string file;
+  Report report;
+};
+
+/// Runs of one setting: they differ in kernel, width, micropolygon and scene only.
+struct Group {
+  std::string name;  ///< The parameters that tell groups apart: `samples_per_pixel = 4`; or empty.
+  Report report;     ///< These runs, with the instructions of all sources.
+};
+
+/// All runs, by setting, in the order in which settings first occur. Settings are all parameters
+/// but kernel, width, micropolygon and scene; a mesh and a built-in scene are of one setting, and
+/// so are scenes at different frames, unless one scene is there at several. Throws InputError if
+/// two files have the same run.
+std::vector<Group> groups_of(const std::vector<ReportSource>& sources);
+
+}  // namespace lanescope

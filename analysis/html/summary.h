@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What was run: the first section of the page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/html/groups.h"
+
+namespace lanescope {
+
+/// Commands and versions, scenes with hashes and micropolygons, the parameters that are the same in
+/// all runs and those that vary, and a note about time and host.
+std::string summary_html(const std::vector<ReportSource>& sources);
+
+}  // namespace lanescope

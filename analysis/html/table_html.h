@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// A table of analysis/tables as an HTML table.
+#pragma once
+
+#include <string>
+
+#include "analysis/table.h"
+
+namespace lanescope {
+
+/// A <table> with its title as caption, the thesis's numbers and the differences beside ours where
+/// there are any, and the notes below it.
+std::string table_html(const TableData& data);
+
+}  // namespace lanescope

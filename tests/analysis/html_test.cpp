@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: MIT
+// The page of `lanescope report`: what goes into it, without a browser; tests/html has one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "analysis/files.h"
+#include "analysis/html/charts/crossing_point.h"
+#include "analysis/html/groups.h"
+#include "analysis/html/markup.h"
+#include "analysis/html/page.h"
+#include "analysis/html/section.h"
+#include "analysis/html/spec.h"
+#include "analysis/html/table_html.h"
+#include "analysis/image.h"
+#include "simulator/base/error.h"
+#include "tests/analysis/sample_report.h"
+
+namespace lanescope {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::sample_report;
+
+TEST(HtmlMarkup, EscapesWhatCouldEndATextOrAnAttribute) {
+  EXPECT_EQ(html_escaped("a<b>&\"c\"'d'"), "a&lt;b&gt;&amp;&quot;c&quot;&#39;d&#39;");
+  EXPECT_EQ(html_escaped("W = 8, 16"), "W = 8, 16");
+}
+
+TEST(HtmlMarkup, ScriptJsonCannotEndItsElement) {
+  const Json value = {{"path", "</script><b>"}, {"open", "<!--<script>"}};
+  const std::string text = script_json(value);
+  EXPECT_EQ(text.find('<'), text.npos);
+  EXPECT_EQ(Json::parse(text), value);
+}
+
+TEST(HtmlMarkup, ScriptJsonReplacesBytesThatAreNoText) {
+  EXPECT_EQ(script_json("a\xff"), "\"a\xef\xbf\xbd\"");
+}
+
+TEST(HtmlMarkup, Base64AsInRfc4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64(std::string_view("\xff\x00\xfe", 3)), "/wD+");
+}
+
+TEST(HtmlDataFrame, IsWrittenByColumns) {
+  DataFrame frame({{"stage", "Stage", ""}, {"share", "Share", ".1%"}});
+  frame.add({"Bound", 0.123456789});
+  frame.add({"Test", nullptr});
+  frame.add({"Bound", 3});
+  const Json expected = Json::parse(R"({"rows": 3, "columns": [
+      {"name": "stage", "title": "Stage", "format": "", "words": ["Bound", "Test"],
+       "values": [0, 1, 0]},
+      {"name": "share", "title": "Share", "format": ".1%", "words": [],
+       "values": [0.12346, null, 3]}]})");
+  EXPECT_EQ(frame.to_json(), expected);
+}
+
+TEST(HtmlDataFrame, RefusesRowsOfAnotherLength) {
+  DataFrame frame({{"stage", "Stage", ""}});
+  EXPECT_THROW(frame.add({"Bound", 1}), CheckError);
+}
+
+TEST(HtmlCrossing, InterpolatesOverTheLogarithmOfW) {
+  // Halfway between 8 and 16 on a logarithmic scale is sqrt(8 * 16).
+  EXPECT_NEAR(*crossing_point({{8, 1.25}, {16, 0.75}}), std::sqrt(128.0), 1e-9);
+  // A quarter of two octaves: 8 * 2^0.5.
+  EXPECT_NEAR(*crossing_point({{8, 1.25}, {32, 0.25}}), 8.0 * std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(*crossing_point({{4, 1.5}, {8, 1.25}, {16, 0.75}}), std::sqrt(128.0), 1e-9);
+}
+
+TEST(HtmlCrossing, FromEitherSideAndAtAWidth) {
+  EXPECT_NEAR(*crossing_point({{8, 0.75}, {16, 1.25}}), std::sqrt(128.0), 1e-9);
+  EXPECT_EQ(crossing_point({{8, 1.5}, {16, 1.0}, {32, 0.5}}), 16.0);
+  EXPECT_EQ(crossing_point({{8, 1.0}}), 8.0);
+}
+
+TEST(HtmlCrossing, IsNoneOnOneSide) {
+  EXPECT_EQ(crossing_point({{8, 1.5}, {16, 1.1}}), std::nullopt);
+  EXPECT_EQ(crossing_point({{8, 0.9}}), std::nullopt);
+  EXPECT_EQ(crossing_point({}), std::nullopt);
+}
+
+/// The sample with all runs at that many samples a pixel.
+Report sample_at(int samples_per_pixel) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs) run.configuration.samples_per_pixel = samples_per_pixel;
+  return report;
+}
+
+TEST(HtmlGroups, OneSettingIsOneGroupWithoutAName) {
+  const std::vector<Group> groups = groups_of({{"a.json", sample_report()}});
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_EQ(groups[0].name, "");
+  EXPECT_EQ(groups[0].report.runs.size(), sample_report().runs.size());
+  EXPECT_EQ(groups[0].report.instructions.size(), 1u);
+}
+
+TEST(HtmlGroups, AreNamedByWhatVaries) {
+  const std::vector<Group> groups =
+      groups_of({{"a.json", sample_at(4)}, {"b.json", sample_at(16)}});
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].name, "samples_per_pixel = 4");
+  EXPECT_EQ(groups[1].name, "samples_per_pixel = 16");
+  EXPECT_EQ(groups[1].report.runs.size(), sample_report().runs.size());
+}
+
+TEST(HtmlGroups, ScenesAtDifferentFramesAreOneSetting) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs)
+    if (run.configuration.scene == "second") run.configuration.frame = 7;
+  EXPECT_EQ(groups_of({{"a.json", report}}).size(), 1u);
+}
+
+TEST(HtmlGroups, OneSceneAtTwoFramesIsTwoSettings) {
+  Report report = sample_report();
+  RunRecord later = report.runs.front();
+  later.configuration.frame = 7;
+  report.runs.push_back(later);
+  const std::vector<Group> groups = groups_of({{"a.json", report}});
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[1].name, "frame = 7");
+}
+
+TEST(HtmlGroups, TheSameRunInTwoFilesIsAMistake) {
+  try {
+    groups_of({{"a.json", sample_report()}, {"b.json", sample_report()}});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "b.json: has a run that a.json has, too: lockstep on first, W = 8, triangle; "
+                 "leave out one of the files");
+  }
+}
+
+/// The chart of a section of the sample.
+Chart chart_of(const Report& report, std::string_view section_id, std::string_view chart_id) {
+  for (const Section* section : sections()) {
+    if (section->id != section_id) continue;
+    for (Block& block : section->build(ReportView(report)))
+      if (Chart* chart = std::get_if<Chart>(&block); chart && chart->id == chart_id) return *chart;
+  }
+  ADD_FAILURE() << section_id << ' ' << chart_id;
+  return {};
+}
+
+/// The last value of the row that begins with these values.
+Json last_of(const Chart& chart, const std::vector<Json>& begin, std::size_t from_end = 0) {
+  for (const std::vector<Json>& row : chart.rows.rows())
+    if (std::equal(begin.begin(), begin.end(), row.begin())) return row[row.size() - 1 - from_end];
+  ADD_FAILURE() << "no row " << Json(begin).dump();
+  return {};
+}
+
+TEST(HtmlCharts, UtilizationIsTheMeanOverTheScenesLikeTheThesis) {
+  const Chart chart = chart_of(sample_report(), "utilization", "lines");
+  // 72 / (10 * 8) and 128 / (20 * 8).
+  EXPECT_NEAR(last_of(chart, {"LOCKSTEP", "triangles", 8, "Bound"}).get<double>(), 0.85, 1e-9);
+  // 492 / (100 * 8) and 448 / (100 * 8).
+  EXPECT_NEAR(last_of(chart, {"LOCKSTEP", "triangles", 8, "All but Setup"}).get<double>(), 0.5875,
+              1e-9);
+}
+
+TEST(HtmlCharts, CrossingComparesInstructionsForEachMicropolygon) {
+  const Report report = sample_report();
+  const Chart stages = chart_of(report, "crossing", "stages");
+  // 60 / 20 and 60 / 10.
+  EXPECT_EQ(last_of(stages, {"LOCKSTEP", "triangles", 8, "Test"}), Json(4.5));
+  for (const auto& row : stages.rows.rows()) EXPECT_NE(row[3], Json("Setup"));
+  // LOCKSTEP 100 / 20 and 100 / 10; REPACK 100 / 20 and 80 / 10.
+  EXPECT_NEAR(last_of(chart_of(report, "crossing", "ratio"), {"triangles", 8}).get<double>(),
+              6.5 / 7.5, 1e-5);
+}
+
+TEST(HtmlCharts, QuadsAreRelativeToTheTrianglesOfTheScene) {
+  const Chart chart = chart_of(sample_report(), "quads", "scenes");
+  // 48 of 100.
+  EXPECT_EQ(last_of(chart, {"LOCKSTEP", "quads", 8, "first", "Test"}), Json(0.48));
+  EXPECT_EQ(last_of(chart, {"LOCKSTEP", "triangles", 8, "third", "Test"}), Json(0.5));
+}
+
+TEST(HtmlCharts, OverheadLeavesOutKernelsThatHaveNone) {
+  const Chart chart = chart_of(sample_report(), "overhead", "shares");
+  // 15 / 60 and 10 / 40, beside the 28% of table 4.3.
+  EXPECT_EQ(last_of(chart, {"REPACK", "triangles", 8, "Test"}, 1), Json(0.25));
+  for (const auto& row : chart.rows.rows()) EXPECT_EQ(row[0], Json("REPACK"));
+}
+
+TEST(HtmlCharts, HistogramsAreSharesOfTheStage) {
+  Report report = sample_report();
+  StageRecord& stage = report.runs[0].stages[1];
+  ASSERT_EQ(stage.name, "Bound");
+  stage.histogram = {0, 0, 0, 0, 0, 0, 0, 4, 6};
+  stage.lane_active = {10, 10, 9, 9, 9, 9, 8, 8};
+  EXPECT_EQ(last_of(chart_of(report, "active-lanes", "panels"),
+                    {"LOCKSTEP", "triangles", 8, "first", "Bound", 8}),
+            Json(0.6));
+  EXPECT_EQ(last_of(chart_of(report, "lanes", "panels"),
+                    {"LOCKSTEP", "triangles", 8, "first", "Bound", 7}),
+            Json(0.8));
+}
+
+TEST(HtmlCharts, MixGathersByClassAndMnemonic) {
+  const Report report = sample_report();
+  EXPECT_EQ(last_of(chart_of(report, "mix", "classes"),
+                    {"LOCKSTEP", "triangles", 8, "arithmetic", "Test"}),
+            Json(4.5));
+  EXPECT_EQ(
+      last_of(chart_of(report, "mix", "mnemonics"), {"LOCKSTEP", "triangles", 8, "add", "Test"}),
+      Json(4.5));
+}
+
+TEST(HtmlCharts, MemoryIsLinesForEachExecution) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs)
+    if (RunRecord& r = run; r.configuration.kernel == "repack")
+      r.stages[1].memory = {{"scatter", 4, 16, 6, {0, 2, 2, 0, 0, 0, 0, 0, 0}, 1}};
+  const Chart means = chart_of(report, "memory", "means");
+  EXPECT_EQ(last_of(means, {"REPACK", "quads", 8, "Bound", "scatter"}), Json(0.0625));
+  EXPECT_EQ(last_of(means, {"REPACK", "quads", 8, "Bound", "scatter"}, 2), Json(1.5));
+  EXPECT_EQ(last_of(chart_of(report, "memory", "histograms"),
+                    {"REPACK", "quads", 8, "Bound", "scatter", 2}),
+            Json(0.5));
+}
+
+TEST(HtmlCharts, WorkingSetAddsUpThePacketsOfAllScenes) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs)
+    if (run.configuration.kernel == "repack")
+      run.series = {{"working_set_course_sum", "", "", "", {16, 30}},
+                    {"working_set_course_packets", "", "", "", {2, 1}},
+                    {"working_set_histogram", "", "", "", {0, 1, 3}}};
+  const Chart course = chart_of(report, "working-set", "course");
+  EXPECT_EQ(last_of(course, {"REPACK", "triangles", 8, 1}), Json(1.0));
+  EXPECT_EQ(last_of(course, {"REPACK", "triangles", 8, 2}), Json(3.75));
+  EXPECT_EQ(last_of(chart_of(report, "working-set", "histogram"), {"REPACK", "triangles", 8, 0.25}),
+            Json(0.75));
+}
+
+TEST(HtmlCharts, TheMapHasTheRoundedDifferencesOfTheTables) {
+  const Chart chart = chart_of(sample_report(), "against-thesis", "map");
+  // 85% against 98%.
+  EXPECT_EQ(last_of(chart, {"Table 4.1: LOCKSTEP, triangles", "Bound", "W = 8"}, 1), Json(-13.0));
+}
+
+TEST(HtmlCharts, StagesHaveOneColourEverywhere) {
+  std::set<std::string> colours;
+  const Report report = sample_report();
+  for (const Section* section : sections())
+    for (const Block& block : section->build(ReportView(report)))
+      if (const Chart* chart = std::get_if<Chart>(&block)) {
+        const Json flat = chart->spec.flatten();
+        for (const auto& [path, value] : flat.items())
+          if (value == "stage" && path.ends_with("/color/field")) {
+            const Json::json_pointer scale(path.substr(0, path.size() - 5) + "scale");
+            colours.insert(chart->spec.at(scale).dump());
+          }
+      }
+  EXPECT_EQ(colours.size(), 1u);
+}
+
+TEST(HtmlTable, HasHeadingsForColumnsAndRows) {
+  TableData data;
+  data.title = "A < B";
+  data.row_header = "Stage";
+  data.columns = {"W = 8"};
+  data.rows = {{"Group", {}}, {"Bound", {Cell{Figure{0.5, 0.4, &kPercent}, {}, {}}}}};
+  const std::string html = table_html(data);
+  for (const char* part : {"<caption>A &lt; B", "<th scope=\"col\">Stage</th>",
+                           "<th scope=\"rowgroup\" colspan=\"4\">Group</th>",
+                           "<th scope=\"row\">Bound</th><td>50.0%</td><td>40%</td><td>+10</td>"})
+    EXPECT_NE(html.find(part), html.npos) << part << "\n" << html;
+}
+
+std::size_t count(std::string_view text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(HtmlPage, HasASectionForEachOfTheRegistry) {
+  const std::string page = report_page({{"a.json", sample_report()}}, ".");
+  for (const Section* section : sections())
+    EXPECT_EQ(count(page, fmt::format("<h2 id=\"{}\">", section->id)), 1u) << section->id;
+  EXPECT_EQ(page.find("<h3"), page.npos);
+}
+
+TEST(HtmlPage, HasTheSectionsOfEachSettingBelowIt) {
+  const std::string page = report_page({{"a", sample_at(4)}, {"b", sample_at(16)}}, ".");
+  EXPECT_EQ(count(page, "<h2 id=\"setting-2\">samples_per_pixel = 16</h2>"), 1u);
+  EXPECT_EQ(count(page, "<h3 id=\"setting-2-utilization\">"), 1u);
+}
+
+TEST(HtmlPage, StringsOfTheReportAreHarmless) {
+  const std::string plain = report_page({{"a.json", sample_report()}}, ".");
+  Report report = sample_report();
+  const std::string evil = "</script><b onload=\"x\">&{{program}}'";
+  report.command = report.commit = report.program_version = report.timing.host = evil;
+  for (RunRecord& run : report.runs) {
+    if (run.configuration.scene == "first") run.configuration.scene = evil;
+    for (StageRecord& stage : run.stages)
+      if (stage.name == "Bound") stage.name = evil;
+  }
+  const std::string page = report_page({{evil, report}}, ".");
+  EXPECT_EQ(page.find("<b onload"), page.npos);
+  EXPECT_EQ(count(page, "</script>"), count(plain, "</script>"));
+}
+
+TEST(HtmlPage, SaysWhichCommandDrawsAMissingPicture) {
+  const std::string page = report_page({{"a.json", sample_report()}}, "somewhere");
+  EXPECT_NE(page.find("lanescope render --scene first --frame 0 "), page.npos);
+  EXPECT_NE(page.find("-o somewhere/frame-first.png"), page.npos);
+}
+
+TEST(HtmlPage, EmbedsThePictures) {
+  const std::string directory = ::testing::TempDir() + "html_pictures";
+  make_directory(directory);
+  write_file(directory + "/frame-first.png", png({2, 1, {{255, 0, 0}, {0, 0, 255}}}));
+  const std::string page = report_page({{"a.json", sample_report()}}, directory);
+  EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBOR"), 1u);
+  write_file(directory + "/frame-first.png", "no picture");
+  EXPECT_THROW(report_page({{"a.json", sample_report()}}, directory), InputError);
+}
+
+TEST(HtmlPage, RefusesReportsWithoutRuns) {
+  EXPECT_THROW(report_page({{"a.json", Report{}}}, "."), InputError);
+}
+
+TEST(HtmlPage, ReportsWithoutCountsSaySo) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs) {
+    run.stages.clear();
+    run.counters.clear();
+  }
+  const std::string page = report_page({{"a.json", report}}, ".");
+  EXPECT_EQ(count(page, "<figure class=\"chart\""), 0u);
+  EXPECT_GT(count(page, "The reports have no such figures"), 5u);
+}
+
+TEST(HtmlPictures, ArePngFilesReadBack) {
+  const Image image{2, 2, {{1, 2, 3}, {255, 0, 0}, {0, 255, 0}, {7, 7, 7}}};
+  const Image read = read_png(png(image), "x.png");
+  EXPECT_EQ(read.width_px, 2);
+  EXPECT_EQ(read.height_px, 2);
+  EXPECT_EQ(read.pixels, image.pixels);
+  EXPECT_THROW(read_png("no picture", "x.png"), InputError);
+  const std::string whole = png(image);
+  EXPECT_THROW(read_png(std::string_view(whole).substr(0, whole.size() - 20), "x.png"), InputError);
+}
+
+TEST(HtmlPictures, AreNarrowedByAveragingLight) {
+  // Black and white average to the square root of half the light: 255 / sqrt(2) = 180.3.
+  const Image image{4,
+                    2,
+                    {{0, 0, 0},
+                     {255, 255, 255},
+                     {9, 9, 9},
+                     {9, 9, 9},
+                     {255, 0, 0},
+                     {0, 255, 0},
+                     {9, 9, 9},
+                     {9, 9, 9}}};
+  const Image small = narrowed(image, 2);
+  EXPECT_EQ(small.width_px, 2);
+  EXPECT_EQ(small.height_px, 1);
+  // Red: 2 of 4 pixels. Green: 2 of 4. Blue: 1 of 4.
+  EXPECT_EQ(small.pixels, (std::vector<Colour>{{180, 180, 128}, {9, 9, 9}}));
+  EXPECT_EQ(narrowed(image, 4).pixels, image.pixels);
+  EXPECT_EQ(narrowed(image, 3).pixels.size(), 6u);
+}
+
+}  // namespace
+}  // namespace lanescope

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// node check.mjs PAGE [--pictures DIR]
+//
+// Opens a page of `lanescope report` in a headless Chromium, light and dark, and checks that it
+// draws every chart and fills every table without an error and without a request to anywhere. Says
+// how long drawing took. With --pictures, writes PNG files and a PDF of the page.
+import {writeFileSync} from "node:fs";
+import {resolve} from "node:path";
+import {parseArgs} from "node:util";
+import {pathToFileURL} from "node:url";
+
+import {Browser} from "./browser.mjs";
+
+const {positionals, values: options} = parseArgs({
+  allowPositionals: true,
+  options: {pictures: {type: "string"}, chromium: {type: "string", default: "chromium"}},
+});
+const [path] = positionals;
+const failures = [];
+
+function expect(holds, complaint) {
+  if (!holds) failures.push(complaint);
+}
+
+// Runs within the page: what there is to be seen of it.
+function survey() {
+  const charts = [...document.querySelectorAll("figure.chart")].map((figure) => {
+    const svg = figure.querySelector(".drawing svg");
+    const details = figure.querySelector("details.numbers");
+    details.open = true;
+    details.dispatchEvent(new Event("toggle"));
+    const text = svg?.querySelector(".role-axis-label text");
+    const {rows} = JSON.parse(figure.querySelector("script").textContent).data;
+    const found = {
+      id: figure.id,
+      drawn: figure.dataset.drawn,
+      marks: svg?.querySelectorAll(".role-mark path, .role-mark line, .role-mark text").length ?? 0,
+      described: figure.querySelector(".drawing [role='graphics-document']")
+        ?.getAttribute("aria-label")?.length > 10,
+      width: svg?.getBoundingClientRect().width ?? 0,
+      height: svg?.getBoundingClientRect().height ?? 0,
+      ink: text ? getComputedStyle(text).fill : "",
+      labelledSelects: [...figure.querySelectorAll("select")].every((s) => s.closest("label")),
+      rows,
+      tableRows: details.querySelectorAll("tbody tr").length,
+      caption: details.querySelector("caption")?.textContent ?? "",
+      columnHeadings: details.querySelectorAll("thead th[scope=col]").length,
+    };
+    details.open = false;
+    return found;
+  });
+  const ids = [...document.querySelectorAll("[id]")].map((e) => e.id);
+  return {
+    charts,
+    drawMs: window.lanescope?.drawMs,
+    marked: performance.getEntriesByName("lanescope-drawn").length,
+    headings: [...document.querySelectorAll("h1,h2,h3,h4")].map((h) => Number(h.tagName[1])),
+    repeatedIds: ids.filter((id, place) => ids.indexOf(id) !== place),
+    brokenLinks: [...document.querySelectorAll("a[href^='#']")]
+      .map((a) => a.getAttribute("href").slice(1))
+      .filter((id) => id && !document.getElementById(id)),
+    lang: document.documentElement.lang,
+    imagesWithoutWords: [...document.images].filter((i) => !i.alt || !i.naturalWidth).length,
+    tablesWithoutCaption: [...document.querySelectorAll("table")].filter((t) => !t.caption).length,
+    ink: getComputedStyle(document.body).color,
+    paper: getComputedStyle(document.body).backgroundColor,
+    overflow: document.documentElement.scrollWidth - document.documentElement.clientWidth,
+  };
+}
+
+function checkSurvey(seen, scheme) {
+  const about = (text) => `${scheme}: ${text}`;
+  expect(seen.charts.length > 0, about("has no charts"));
+  expect(seen.drawMs > 0 && seen.marked === 1, about("does not say how long drawing took"));
+  expect(seen.lang === "en", about("has no language"));
+  expect(seen.repeatedIds.length === 0, about(`has ids twice: ${seen.repeatedIds}`));
+  expect(seen.brokenLinks.length === 0, about(`has links to nowhere: ${seen.brokenLinks}`));
+  expect(seen.imagesWithoutWords === 0, about("has pictures that are broken or without words"));
+  expect(seen.tablesWithoutCaption === 0, about("has tables without a caption"));
+  expect(seen.overflow <= 0, about(`is ${seen.overflow} px wider than the window`));
+  expect(seen.headings[0] === 1 && seen.headings.filter((level) => level === 1).length === 1,
+         about("does not have exactly one first heading"));
+  seen.headings.forEach((level, place) =>
+    expect(place === 0 || level <= seen.headings[place - 1] + 1, about("skips a level of headings")));
+  for (const chart of seen.charts) {
+    const of = (text) => about(`${chart.id}: ${text}`);
+    expect(chart.drawn === "true", of(`is not drawn: ${chart.drawn}`));
+    expect(chart.marks > 0, of("is empty"));
+    expect(chart.width > 100 && chart.height > 50, of(`is ${chart.width} x ${chart.height} px`));
+    expect(chart.described, of("has no description"));
+    expect(chart.labelledSelects, of("has a choice without a label"));
+    expect(chart.ink === seen.ink, of(`has labels in ${chart.ink}, the page in ${seen.ink}`));
+    expect(chart.rows > 0 && chart.tableRows === chart.rows,
+           of(`has ${chart.tableRows} rows in its table, ${chart.rows} in its data`));
+    expect(chart.caption !== "" && chart.columnHeadings > 1, of("has a table without headings"));
+  }
+}
+
+async function drawn(page) {
+  for (let waited = 0; waited < 120000; waited += 100) {
+    if (await page.evaluate("document.body?.dataset.drawn === 'true'")) return;
+    await new Promise((wake) => setTimeout(wake, 100));
+  }
+  throw new Error("the page is not drawn after two minutes");
+}
+
+// The page in pieces that can be looked at, and as it is printed.
+async function takePictures(page, scheme) {
+  const kPiecePx = 1600;
+  const {cssContentSize: size} = await page.send("Page.getLayoutMetrics");
+  for (let y = 0, piece = 0; y < size.height; y += kPiecePx, ++piece) {
+    const clip = {x: 0, y, width: size.width, height: Math.min(kPiecePx, size.height - y), scale: 1};
+    const {data} = await page.send("Page.captureScreenshot", {clip, captureBeyondViewport: true});
+    writeFileSync(`${options.pictures}/${scheme}-${piece}.png`, Buffer.from(data, "base64"));
+  }
+  const {data: pdf} = await page.send("Page.printToPDF", {preferCSSPageSize: true});
+  writeFileSync(`${options.pictures}/${scheme}.pdf`, Buffer.from(pdf, "base64"));
+}
+
+async function checkScheme(browser, scheme) {
+  const page = await browser.newPage();
+  browser.onEvent(({method, params, sessionId}) => {
+    if (sessionId !== page.sessionId) return;
+    if (method === "Runtime.exceptionThrown")
+      failures.push(`${scheme}: ${params.exceptionDetails.exception?.description}`);
+    if (method === "Runtime.consoleAPICalled" && ["error", "warning", "assert"].includes(params.type))
+      failures.push(`${scheme}: ${params.args.map((a) => a.value ?? a.description).join(" ")}`);
+    if (method === "Log.entryAdded" && params.entry.level === "error")
+      failures.push(`${scheme}: ${params.entry.text}`);
+    if (method === "Network.requestWillBeSent" && !/^(file|data|blob):/.test(params.request.url))
+      failures.push(`${scheme}: asks for ${params.request.url}`);
+  });
+  for (const domain of ["Page", "Runtime", "Log", "Network"]) await page.send(`${domain}.enable`);
+  await page.send("Emulation.setDeviceMetricsOverride",
+                  {width: 1280, height: 800, deviceScaleFactor: 1, mobile: false});
+  await page.send("Emulation.setEmulatedMedia",
+                  {features: [{name: "prefers-color-scheme", value: scheme}]});
+  await page.send("Page.navigate", {url: pathToFileURL(resolve(path)).href});
+  await drawn(page);
+  const seen = await page.evaluate(`(${survey})()`);
+  checkSurvey(seen, scheme);
+  console.log(`${scheme}: ${seen.charts.length} charts drawn in ${Math.round(seen.drawMs)} ms`);
+  if (options.pictures) await takePictures(page, scheme);
+  return seen;
+}
+
+const browser = new Browser(options.chromium);
+try {
+  const light = await checkScheme(browser, "light");
+  const dark = await checkScheme(browser, "dark");
+  expect(light.ink !== dark.ink && light.paper !== dark.paper, "light and dark look the same");
+} finally {
+  await browser.close();
+}
+for (const failure of failures) console.error(failure);
+process.exitCode = failures.length > 0 ? 1 : 0;
