@@ -145,4 +145,10 @@ struct Report {
   Timing timing;
 };
 
+/// A report and what messages call it: its file.
+struct NamedReport {
+  std::string name;
+  Report report;
+};
+
 }  // namespace lanescope

@@ -31,12 +31,6 @@ Report parse_report(std::string_view text, const std::string& where);
 /// Reads a report from a file. Throws InputError as parse_report does, or if it cannot be read.
 Report read_report(const std::string& path);
 
-/// A report among others.
-struct NamedReport {
-  std::string name;  ///< Of the file.
-  Report report;
-};
-
 /// The JSON Schema (2020-12) of the form, as a document.
 std::string_view report_json_schema();
 
