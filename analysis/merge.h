@@ -6,19 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/report.h"
+#include "analysis/report_json.h"
 
 namespace lanescope {
 
 /// One run of a report as a report of its own, with the instructions that it issued. Times that
 /// belong to the whole report are shared out evenly among its runs. Its `command` is the report's.
 Report single_run(const Report& report, std::size_t run);
-
-/// A report and what messages call it (its file).
-struct NamedReport {
-  std::string name;
-  Report report;
-};
 
 /// One report with the runs of all. They are in a fixed order, whatever order they come in: by
 /// scene (built-in ones in their order, then by name), then by what is sampled and how, then by

@@ -31,9 +31,9 @@ Report parse_report(std::string_view text, const std::string& where);
 /// Reads a report from a file. Throws InputError as parse_report does, or if it cannot be read.
 Report read_report(const std::string& path);
 
-/// A report among others.
+/// A report and what messages call it (its file).
 struct NamedReport {
-  std::string name;  ///< Of the file.
+  std::string name;
   Report report;
 };
 
