@@ -49,11 +49,8 @@ double parse_share(const Argument& argument) {
 std::set<std::string> parse_ignored(const std::string& text) {
   std::set<std::string> ignored;
   if (text.empty()) return ignored;
-  std::vector<std::string> names;
-  const nlohmann::ordered_json parameters = configuration_json({});
-  for (const auto& [name, value] : parameters.items()) names.push_back(name);
   for (const Argument& element : parse_list({"--ignore", text}))
-    ignored.insert(parse_name(element, "a parameter", names));
+    ignored.insert(parse_name(element, "a parameter", parameter_names()));
   return ignored;
 }
 
@@ -99,9 +96,9 @@ extern const Command c_compare{
     "compare",
     "Prints what differs between two reports; exit status 0 if nothing, 1 if something, 2 if they "
     "cannot be compared",
-    "  lanescope compare before.json after.json\n"
-    "  lanescope compare before.json after.json --fail-over 1%\n"
-    "  lanescope compare before.json after.json --ignore seed --format json -o changes.json",
+    "  lanescope compare a.json b.json\n"
+    "  lanescope compare a.json b.json --fail-over 1%\n"
+    "  lanescope compare a.json b.json --ignore seed --format json -o changes.json",
     declare};
 
 }  // namespace lanescope

@@ -50,7 +50,7 @@ Action declare(CLI::App& app) {
 extern const Command c_csv{"csv", "Writes reports as tidy CSV for notebooks",
                            "  lanescope csv report.json\n"
                            "  lanescope csv out/report.json --rows stages -o stages.csv\n"
-                           "  lanescope csv before.json after.json --rows runs",
+                           "  lanescope csv a.json b.json --rows runs",
                            declare};
 
 }  // namespace lanescope
