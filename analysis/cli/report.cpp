@@ -43,8 +43,7 @@ void report(const Arguments& arguments) {
 
 Action declare(CLI::App& app) {
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("reports", arguments->files,
-                 "Reports, as `run --json` and `tables --out` write them")
+  app.add_option("reports", arguments->files, "Reports: the JSON of run or tables")
       ->type_name("FILE");
   app.add_option("-o,--output", arguments->output, "The page, an HTML file; - for standard output")
       ->type_name("FILE")
@@ -58,9 +57,10 @@ Action declare(CLI::App& app) {
 
 }  // namespace
 
-extern const Command c_report{"report", "Writes a page of charts from reports",
-                              "  lanescope report out/report.json -o out/report.html\n"
-                              "  lanescope report out/report.json other.json --frames out -o both.html",
-                              declare};
+extern const Command c_report{
+    "report", "Writes a page of charts from reports",
+    "  lanescope report out/report.json -o out/report.html\n"
+    "  lanescope report out/report.json other.json --frames out -o both.html",
+    declare};
 
 }  // namespace lanescope

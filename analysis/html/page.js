@@ -15,8 +15,10 @@
       labelColor: ink, titleColor: ink, domainColor: ink, tickColor: ink, gridColor: grid,
       labelFontSize: 11, titleFontSize: 11, titleFontWeight: "normal",
     },
-    legend: {labelColor: ink, titleColor: ink, labelFontSize: 11, titleFontSize: 11, labelLimit: 260,
-             symbolStrokeWidth: 2, symbolBaseFillColor: ink, symbolBaseStrokeColor: ink},
+    legend: {
+      labelColor: ink, titleColor: ink, symbolBaseFillColor: ink, symbolBaseStrokeColor: ink,
+      labelFontSize: 11, titleFontSize: 11, labelLimit: 260, symbolStrokeWidth: 2,
+    },
     header: {labelColor: ink, titleColor: ink, labelFontSize: 12, labelFontWeight: "bold"},
     text: {color: ink},
     view: {stroke: grid},
@@ -37,8 +39,8 @@
       Object.fromEntries(columns.map((column) => [column.name, column.at(row)])));
   }
 
-  // A value as a table shows it, by a format: a sign or not, decimals, and whether it is a percentage
-  // (".1%", "+.1f").
+  // A value as a table shows it, by a format: a sign or not, decimals, and whether it is a
+  // percentage (".1%", "+.1f").
   function shown(value, format) {
     if (value === null) return "–";
     const [, sign, decimals, kind] = /^(\+?)\.(\d)([%f])$/.exec(format) ?? [];

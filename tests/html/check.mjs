@@ -68,6 +68,22 @@ function survey() {
   };
 }
 
+// Runs within the page: makes another choice beside each chart and waits for what it draws.
+async function choose() {
+  const drawings = () => [...document.querySelectorAll("figure.chart")]
+    .filter((figure) => [...figure.querySelectorAll("select")].some((s) => s.options.length > 1))
+    .map((figure) => ({id: figure.id, svg: figure.querySelector("svg").outerHTML}));
+  const before = drawings();
+  for (const select of document.querySelectorAll("figure.chart select")) {
+    select.selectedIndex = (select.selectedIndex + 1) % select.options.length;
+    select.dispatchEvent(new Event("change", {bubbles: true}));
+  }
+  const same = () => drawings().filter(({svg}, place) => svg === before[place].svg);
+  for (let waited = 0; same().length > 0 && waited < 10000; waited += 100)
+    await new Promise((wake) => setTimeout(wake, 100));
+  return same().map(({id}) => id);
+}
+
 function checkSurvey(seen, scheme) {
   const about = (text) => `${scheme}: ${text}`;
   expect(seen.charts.length > 0, about("has no charts"));
@@ -81,7 +97,8 @@ function checkSurvey(seen, scheme) {
   expect(seen.headings[0] === 1 && seen.headings.filter((level) => level === 1).length === 1,
          about("does not have exactly one first heading"));
   seen.headings.forEach((level, place) =>
-    expect(place === 0 || level <= seen.headings[place - 1] + 1, about("skips a level of headings")));
+    expect(place === 0 || level <= seen.headings[place - 1] + 1,
+           about("skips a level of headings")));
   for (const chart of seen.charts) {
     const of = (text) => about(`${chart.id}: ${text}`);
     expect(chart.drawn === "true", of(`is not drawn: ${chart.drawn}`));
@@ -109,7 +126,8 @@ async function takePictures(page, scheme) {
   const kPiecePx = 1600;
   const {cssContentSize: size} = await page.send("Page.getLayoutMetrics");
   for (let y = 0, piece = 0; y < size.height; y += kPiecePx, ++piece) {
-    const clip = {x: 0, y, width: size.width, height: Math.min(kPiecePx, size.height - y), scale: 1};
+    const height = Math.min(kPiecePx, size.height - y);
+    const clip = {x: 0, y, width: size.width, height, scale: 1};
     const {data} = await page.send("Page.captureScreenshot", {clip, captureBeyondViewport: true});
     writeFileSync(`${options.pictures}/${scheme}-${piece}.png`, Buffer.from(data, "base64"));
   }
@@ -123,7 +141,7 @@ async function checkScheme(browser, scheme) {
     if (sessionId !== page.sessionId) return;
     if (method === "Runtime.exceptionThrown")
       failures.push(`${scheme}: ${params.exceptionDetails.exception?.description}`);
-    if (method === "Runtime.consoleAPICalled" && ["error", "warning", "assert"].includes(params.type))
+    if (method === "Runtime.consoleAPICalled" && /error|warning|assert/.test(params.type))
       failures.push(`${scheme}: ${params.args.map((a) => a.value ?? a.description).join(" ")}`);
     if (method === "Log.entryAdded" && params.entry.level === "error")
       failures.push(`${scheme}: ${params.entry.text}`);
@@ -141,6 +159,8 @@ async function checkScheme(browser, scheme) {
   checkSurvey(seen, scheme);
   console.log(`${scheme}: ${seen.charts.length} charts drawn in ${Math.round(seen.drawMs)} ms`);
   if (options.pictures) await takePictures(page, scheme);
+  const unmoved = await page.evaluate(`(${choose})()`);
+  expect(unmoved.length === 0, `${scheme}: a choice does not change ${unmoved}`);
   return seen;
 }
 

@@ -109,7 +109,8 @@ Json panels(const ReportView& view, std::string_view panel_text, bool logarithm)
 constexpr std::string_view kStacked = R"json({
   "width": 380, "height": 280,
   "transform": [
-    {"calculate": "log(datum.lanes) / LN2 + (datum.kernel == 'REPACK' ? 0.03 : -0.35)", "as": "left"},
+    {"calculate": "log(datum.lanes) / LN2 + (datum.kernel == 'REPACK' ? 0.03 : -0.35)",
+     "as": "left"},
     {"calculate": "datum.left + 0.32", "as": "right"},
     {"stack": "instructions", "groupby": ["kernel", "lanes"],
      "sort": [{"field": "place"}], "as": ["bottom", "top"]}],

@@ -31,7 +31,8 @@ DataFrame rows(const Report& report, const LaneChart& chart) {
 std::vector<Block> lane_chart(const ReportView& view, const LaneChart& chart) {
   constexpr std::string_view kSpec = R"json({
     "transform": [
-      {"filter": "datum.scene == pick_scene && datum.micropolygon == pick_shape && datum.lanes == pick_lanes"},
+      {"filter": "datum.scene == pick_scene && datum.micropolygon == pick_shape"},
+      {"filter": "datum.lanes == pick_lanes"},
       {"calculate": "datum.place - 0.5", "as": "left"},
       {"calculate": "datum.place + 0.5", "as": "right"}],
     "facet": {

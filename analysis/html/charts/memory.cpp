@@ -136,7 +136,8 @@ std::vector<Block> build(const ReportView& view) {
   })json";
   constexpr std::string_view kHistograms = R"json({
     "transform": [
-      {"filter": "datum.kernel == pick_kernel && datum.micropolygon == pick_shape && datum.lanes == pick_lanes"},
+      {"filter": "datum.kernel == pick_kernel && datum.micropolygon == pick_shape"},
+      {"filter": "datum.lanes == pick_lanes"},
       {"calculate": "datum.stage + ': ' + datum.mnemonic", "as": "place"},
       {"calculate": "datum.lines - 0.5", "as": "left"},
       {"calculate": "datum.lines + 0.5", "as": "right"}],

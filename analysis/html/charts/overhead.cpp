@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
 #include "analysis/thesis.h"
@@ -37,6 +39,11 @@ DataFrame rows(const ReportView& view) {
   return frame;
 }
 
+bool has_thesis(const DataFrame& shares) {
+  return std::any_of(shares.rows().begin(), shares.rows().end(),
+                     [](const auto& row) { return !row.back().is_null(); });
+}
+
 std::vector<Block> build(const ReportView& view) {
   constexpr std::string_view kSpec = R"json({
     "transform": [{"calculate": "datum.kernel + ', ' + datum.micropolygon", "as": "series"}],
@@ -55,7 +62,9 @@ std::vector<Block> build(const ReportView& view) {
          "mark": {"type": "tick", "color": "currentColor", "thickness": 2, "width": 26},
          "encoding": {"y": {"field": "thesis", "type": "quantitative"}}}]}
   })json";
+  DataFrame shares = rows(view);
   auto spec = spec_from(kSpec, view.report());
+  if (!has_thesis(shares)) spec["spec"]["layer"].erase(1);
   auto& order = spec["facet"]["row"]["sort"];
   for (const Series& series : series_of(view.report()))
     order.push_back(fmt::format("{}, {}", shown_kernel(series.kernel), shown_shape(series.shape)));
@@ -65,7 +74,7 @@ std::vector<Block> build(const ReportView& view) {
                     view.caption() +
                     ". Strokes: the thesis's figures of table 4.3, which it gives for no width in "
                     "particular. Kernels that mark nothing are left out.",
-                std::move(spec), rows(view)}};
+                std::move(spec), std::move(shares)}};
 }
 
 }  // namespace

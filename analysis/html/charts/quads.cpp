@@ -29,9 +29,10 @@ DataFrame rows(const ReportView& view) {
           const StageRecord* stage = run->stage(stages[i]);
           if (!stage || stages[i] == "Setup") continue;
           const auto issued = static_cast<double>(stage->total().issued);
-          frame.add({shown_kernel(series.kernel), shown_shape(series.shape), width, scene,
-                     stages[i], i, issued * 1e-6,
-                     number_or_null(quotient(issued, whole(view, series.kernel, scene, width)))});
+          // Without triangles there is nothing to compare with.
+          if (const auto relative = quotient(issued, whole(view, series.kernel, scene, width)))
+            frame.add({shown_kernel(series.kernel), shown_shape(series.shape), width, scene,
+                       stages[i], i, issued * 1e-6, *relative});
         }
       }
   return frame;
@@ -40,13 +41,13 @@ DataFrame rows(const ReportView& view) {
 std::vector<Block> build(const ReportView& view) {
   constexpr std::string_view kSpec = R"json({
     "transform": [
-      {"filter": "datum.kernel == pick_kernel && datum.lanes == pick_lanes && isValid(datum.relative)"}],
+      {"filter": "datum.kernel == pick_kernel && datum.lanes == pick_lanes"}],
     "width": {"step": 40}, "height": 260,
     "mark": "bar",
     "encoding": {
       "column": {"field": "scene", "title": null, "sort": "@scenes"},
-      "x": {"field": "micropolygon", "type": "nominal", "title": null, "sort": ["triangles", "quads"],
-            "axis": {"labelAngle": -90}},
+      "x": {"field": "micropolygon", "type": "nominal", "title": null,
+            "sort": ["triangles", "quads"], "axis": {"labelAngle": -90}},
       "y": {"field": "relative", "type": "quantitative",
             "title": "Instructions, relative to the scene's triangles"},
       "order": {"field": "place"},
