@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/report_json.h"
+#include "analysis/report.h"
 
 namespace lanescope {
 

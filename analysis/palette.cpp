@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/palette.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,15 +13,17 @@
 namespace lanescope {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Colour>, 5> kStageColours{{
-    {"Setup", {0x99, 0x99, 0x99}},
-    {"Bound", {0x56, 0xb4, 0xe9}},
-    {"Test Stream-load", {0xf0, 0xe4, 0x42}},
-    {"Test", {0xe6, 0x9f, 0x00}},
-    {"Process", {0x00, 0x9e, 0x73}},
-}};
+// Of the palette of Okabe and Ito (2008), which people who are colour-blind tell apart, those that
+// stand out from white paper as well as from a dark screen.
+constexpr std::array<std::string_view, 5> kStages{"Setup", "Bound", "Test Stream-load", "Test",
+                                                  "Process"};
+constexpr std::array<Colour, kStages.size()> kStageColours{{{0x8c, 0x8c, 0x8c},
+                                                            {0x00, 0x72, 0xb2},
+                                                            {0xcc, 0x79, 0xa7},
+                                                            {0x00, 0x9e, 0x73},
+                                                            {0xd5, 0x5e, 0x00}}};
 constexpr std::array<Colour, 3> kOtherColours{
-    {{0x00, 0x72, 0xb2}, {0xd5, 0x5e, 0x00}, {0xcc, 0x79, 0xa7}}};
+    {{0xe6, 0x9f, 0x00}, {0x56, 0xb4, 0xe9}, {0xb8, 0xa8, 0x00}}};
 
 constexpr std::array<Colour, 10> kViridis{{{68, 1, 84},
                                            {72, 40, 120},
@@ -34,9 +38,15 @@ constexpr std::array<Colour, 10> kViridis{{{68, 1, 84},
 
 }  // namespace
 
+std::span<const std::string_view> coloured_stages() { return kStages; }
+
+std::string colour_text(Colour colour) {
+  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+}
+
 Colour stage_colour(std::string_view stage, std::size_t place) {
-  for (const auto& [name, colour] : kStageColours)
-    if (name == stage) return colour;
+  for (std::size_t i = 0; i < kStages.size(); ++i)
+    if (kStages[i] == stage) return kStageColours[i];
   return kOtherColours[place % kOtherColours.size()];
 }
 

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "analysis/image.h"
@@ -17,6 +19,12 @@ inline constexpr Colour kFaintInk{110, 110, 110};
 inline constexpr Colour kLaneOff{38, 38, 42};
 /// A pixel that nothing touches.
 inline constexpr Colour kNothing{24, 24, 27};
+
+/// Stages that have colours of their own, in the order in which they are shown.
+std::span<const std::string_view> coloured_stages();
+
+/// `#rrggbb`.
+std::string colour_text(Colour colour);
 
 /// The colour of a stage by its name. Names that no kernel of ours uses share the palette's other
 /// colours, by `place`, the stage's place in its kernel.

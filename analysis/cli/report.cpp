@@ -36,7 +36,7 @@ void report(const Arguments& arguments) {
   if (arguments.output.empty()) throw InputError("--output", "is missing; name an HTML file");
   const std::string frames = frames_directory(arguments);
   Destination page(arguments.output);
-  std::vector<ReportSource> sources;
+  std::vector<NamedReport> sources;
   for (const std::string& file : arguments.files) sources.push_back({file, read_report(file)});
   page.write(report_page(sources, frames));
 }

@@ -16,14 +16,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct PlacedRun {
-  const ReportSource* source;
+  const NamedReport* source;
   const RunRecord* run;
   Json parameters;
 };
 
-std::vector<PlacedRun> runs_of(const std::vector<ReportSource>& sources) {
+std::vector<PlacedRun> runs_of(const std::vector<NamedReport>& sources) {
   std::vector<PlacedRun> runs;
-  for (const ReportSource& source : sources)
+  for (const NamedReport& source : sources)
     for (const RunRecord& run : source.report.runs)
       runs.push_back({&source, &run, configuration_json(run.configuration)});
   return runs;
@@ -35,9 +35,9 @@ void check_no_run_twice(const std::vector<PlacedRun>& runs) {
     const auto [first, is_new] = seen.emplace(run.parameters.dump(), &run);
     if (is_new) continue;
     const Configuration& c = run.run->configuration;
-    throw InputError(run.source->file,
+    throw InputError(run.source->name,
                      "has a run that {} has, too: {} on {}, W = {}, {}; leave out one of the files",
-                     first->second->source->file, c.kernel, c.scene, c.width, to_string(c.shape()));
+                     first->second->source->name, c.kernel, c.scene, c.width, to_string(c.shape()));
   }
 }
 
@@ -80,9 +80,9 @@ std::vector<std::string> setting_parameters(const std::vector<PlacedRun>& runs) 
   return ordered;
 }
 
-std::vector<InstructionEntry> instructions_of(const std::vector<ReportSource>& sources) {
+std::vector<InstructionEntry> instructions_of(const std::vector<NamedReport>& sources) {
   std::map<std::string, InstructionEntry> entries;
-  for (const ReportSource& source : sources)
+  for (const NamedReport& source : sources)
     for (const InstructionEntry& entry : source.report.instructions)
       entries.emplace(entry.mnemonic, entry);
   std::vector<InstructionEntry> list;
@@ -92,7 +92,7 @@ std::vector<InstructionEntry> instructions_of(const std::vector<ReportSource>& s
 
 }  // namespace
 
-std::vector<Group> groups_of(const std::vector<ReportSource>& sources) {
+std::vector<Group> groups_of(const std::vector<NamedReport>& sources) {
   const std::vector<PlacedRun> runs = runs_of(sources);
   check_no_run_twice(runs);
   std::vector<Group> groups;

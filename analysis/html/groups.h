@@ -9,12 +9,6 @@
 
 namespace lanescope {
 
-/// A report and the file that it was read from.
-struct ReportSource {
-  std::string file;
-  Report report;
-};
-
 /// Runs of one setting: they differ in kernel, width, micropolygon and scene only.
 struct Group {
   std::string name;  ///< The parameters that tell groups apart: `samples_per_pixel = 4`; or empty.
@@ -25,6 +19,6 @@ struct Group {
 /// but kernel, width, micropolygon and scene; a mesh and a built-in scene are of one setting, and
 /// so are scenes at different frames, unless one scene is there at several. Throws InputError if
 /// two files have the same run.
-std::vector<Group> groups_of(const std::vector<ReportSource>& sources);
+std::vector<Group> groups_of(const std::vector<NamedReport>& sources);
 
 }  // namespace lanescope

@@ -100,18 +100,18 @@ std::string filled(std::string_view text, const std::map<std::string_view, std::
   return result.append(text);
 }
 
-std::string title_of(const std::vector<ReportSource>& sources) {
+std::string title_of(const std::vector<NamedReport>& sources) {
   std::vector<std::string> commands;
-  for (const ReportSource& source : sources) commands.push_back(source.report.command);
+  for (const NamedReport& source : sources) commands.push_back(source.report.command);
   return fmt::format("{}", fmt::join(commands, " + "));
 }
 
 }  // namespace
 
-std::string report_page(const std::vector<ReportSource>& sources, const std::string& pictures) {
+std::string report_page(const std::vector<NamedReport>& sources, const std::string& pictures) {
   const std::vector<Group> groups = groups_of(sources);
   if (groups.empty())
-    throw InputError(sources.front().file, "has no runs; there is nothing to show");
+    throw InputError(sources.front().name, "has no runs; there is nothing to show");
   std::vector<Part> parts{{"runs", "What was run", 2, summary_html(sources)},
                           {"frames", "Frames", 2, pictures_html(sources, pictures)}};
   add_groups(parts, groups);

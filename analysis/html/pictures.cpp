@@ -23,10 +23,10 @@ struct Picture {
   Image image;  ///< Without pixels if there is no such file.
 };
 
-std::vector<Picture> read_pictures(const std::vector<ReportSource>& sources,
+std::vector<Picture> read_pictures(const std::vector<NamedReport>& sources,
                                    const std::string& directory) {
   std::vector<Picture> pictures;
-  for (const ReportSource& source : sources)
+  for (const NamedReport& source : sources)
     for (const RunRecord& run : source.report.runs) {
       const Configuration& c = run.configuration;
       if (std::any_of(pictures.begin(), pictures.end(),
@@ -79,7 +79,7 @@ std::string picture_html(const Picture& picture, const std::string& file) {
 
 }  // namespace
 
-std::string pictures_html(const std::vector<ReportSource>& sources, const std::string& directory) {
+std::string pictures_html(const std::vector<NamedReport>& sources, const std::string& directory) {
   const std::vector<Picture> pictures = read_pictures(sources, directory);
   const std::vector<std::string> files = small_files(pictures);
   std::string text = "<div class=\"frames\">\n";

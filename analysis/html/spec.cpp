@@ -8,6 +8,7 @@
 #include <cctype>
 #include <set>
 
+#include "analysis/palette.h"
 #include "analysis/thesis.h"
 #include "analysis/thesis_figures.h"
 
@@ -16,29 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The colours of Okabe and Ito, which people who are colour-blind tell apart; those of stages that
-/// have no place of their own come last.
-struct StageColour {
-  std::string_view stage;
-  std::string_view colour;
-};
-constexpr std::array<StageColour, 5> kStageColours{{{"Setup", "#8c8c8c"},
-                                                    {"Bound", "#0072b2"},
-                                                    {"Test Stream-load", "#cc79a7"},
-                                                    {"Test", "#009e73"},
-                                                    {"Process", "#d55e00"}}};
-constexpr std::array<std::string_view, 3> kOtherColours{"#e69f00", "#56b4e9", "#b8a800"};
-
-Json stage_colour(const Report& report) {
+Json stage_encoding(const Report& report) {
   Json range = Json::array();
-  std::size_t others = 0;
   const std::vector<std::string> stages = stages_of(report);
-  for (const std::string& stage : stages) {
-    const auto* const found = std::find_if(kStageColours.begin(), kStageColours.end(),
-                                           [&](const auto& known) { return known.stage == stage; });
-    range.push_back(found != kStageColours.end() ? found->colour
-                                                 : kOtherColours[others++ % kOtherColours.size()]);
-  }
+  for (std::size_t place = 0; place < stages.size(); ++place)
+    range.push_back(colour_text(stage_colour(stages[place], place)));
   return {{"field", "stage"},
           {"type", "nominal"},
           {"title", "Stage"},
@@ -61,7 +44,7 @@ Json lanes_axis(const Report& report) {
 
 void fill_in(Json& spec, const Report& report) {
   if (spec == "@stage") {
-    spec = stage_colour(report);
+    spec = stage_encoding(report);
   } else if (spec == "@lanes") {
     spec = lanes_axis(report);
   } else if (spec == "@stages") {
@@ -104,9 +87,9 @@ std::vector<std::string> stages_of(const Report& report) {
     for (const StageRecord& stage : run.stages)
       if (std::find(occurring.begin(), occurring.end(), stage.name) == occurring.end())
         occurring.push_back(stage.name);
-  const auto place = [](const std::string& stage) {
-    return std::find_if(kStageColours.begin(), kStageColours.end(),
-                        [&](const auto& known) { return known.stage == stage; });
+  const std::span<const std::string_view> coloured = coloured_stages();
+  const auto place = [&](const std::string& stage) {
+    return std::find(coloured.begin(), coloured.end(), stage);
   };
   std::stable_sort(occurring.begin(), occurring.end(),
                    [&](const auto& a, const auto& b) { return place(a) < place(b); });

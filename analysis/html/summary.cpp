@@ -33,11 +33,11 @@ std::string words_table(const std::string& caption, const std::vector<std::strin
   return text + "</tbody>\n</table></div>\n";
 }
 
-std::string reports_table(const std::vector<ReportSource>& sources) {
+std::string reports_table(const std::vector<NamedReport>& sources) {
   std::vector<std::vector<std::string>> rows;
-  for (const ReportSource& source : sources) {
+  for (const NamedReport& source : sources) {
     const Report& report = source.report;
-    rows.push_back({source.file, report.command, report.program_version,
+    rows.push_back({source.name, report.command, report.program_version,
                     report.commit.empty() ? "not known" : report.commit,
                     std::to_string(report.runs.size())});
   }
@@ -45,9 +45,9 @@ std::string reports_table(const std::vector<ReportSource>& sources) {
                      {"File", "Command", "Version", "Commit", "Runs"}, rows);
 }
 
-std::string scenes_table(const std::vector<ReportSource>& sources) {
+std::string scenes_table(const std::vector<NamedReport>& sources) {
   std::vector<std::vector<std::string>> rows;
-  for (const ReportSource& source : sources)
+  for (const NamedReport& source : sources)
     for (const RunRecord& run : source.report.runs) {
       const Configuration& c = run.configuration;
       std::vector<std::string> row{c.scene,
@@ -67,10 +67,10 @@ std::string shown_value(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-std::string parameters_table(const std::vector<ReportSource>& sources, bool same) {
+std::string parameters_table(const std::vector<NamedReport>& sources, bool same) {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> values;
-  for (const ReportSource& source : sources)
+  for (const NamedReport& source : sources)
     for (const RunRecord& run : source.report.runs) {
       const Json parameters = configuration_json(run.configuration);
       for (const auto& [name, value] : parameters.items()) {
@@ -95,12 +95,12 @@ std::string parameters_table(const std::vector<ReportSource>& sources, bool same
              : words_table("Parameters that vary", {"Parameter", "Values"}, rows);
 }
 
-std::string timing_note(const std::vector<ReportSource>& sources) {
+std::string timing_note(const std::vector<NamedReport>& sources) {
   std::string text = "<p class=\"note\">Time and host, which no count depends on:";
-  for (const ReportSource& source : sources) {
+  for (const NamedReport& source : sources) {
     const Timing& timing = source.report.timing;
     text += fmt::format(" {}: {:.1f} s on {} threads of {}, compiled by {}.",
-                        html_escaped(source.file), timing.wall_ms / 1000.0, timing.threads,
+                        html_escaped(source.name), timing.wall_ms / 1000.0, timing.threads,
                         html_escaped(timing.host), html_escaped(timing.compiler));
   }
   return text + "</p>\n";
@@ -108,7 +108,7 @@ std::string timing_note(const std::vector<ReportSource>& sources) {
 
 }  // namespace
 
-std::string summary_html(const std::vector<ReportSource>& sources) {
+std::string summary_html(const std::vector<NamedReport>& sources) {
   return reports_table(sources) + scenes_table(sources) + parameters_table(sources, false) +
          "<details><summary>Parameters that are the same in all runs</summary>\n" +
          parameters_table(sources, true) + "</details>\n" + timing_note(sources);

@@ -11,6 +11,6 @@ namespace lanescope {
 
 /// Commands and versions, scenes with hashes and micropolygons, the parameters that are the same in
 /// all runs and those that vary, and a note about time and host.
-std::string summary_html(const std::vector<ReportSource>& sources);
+std::string summary_html(const std::vector<NamedReport>& sources);
 
 }  // namespace lanescope
