@@ -267,7 +267,8 @@ Report run_experiment(const std::vector<Configuration>& configurations,
   report.runs.resize(configurations.size());
   report.timing.kernel_ms.resize(configurations.size());
   Dictionary dictionary;
-  FramePool frames;
+  FramePool own_frames;
+  FramePool& frames = options.frames ? *options.frames : own_frames;
   const std::vector<Indices> groups = group_by_tessellation(configurations, options.group_limits);
   for (std::size_t i = 0; i < groups.size(); ++i) {
     GroupRun run(configurations, groups[i], options, frames);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/experiment_groups.h"
+#include "analysis/frame_pool.h"
 #include "analysis/image.h"
 #include "analysis/report.h"
 #include "kernels/frame.h"
@@ -22,6 +23,8 @@ struct FinishedFrame {
 struct ExperimentOptions {
   int threads = 1;
   GroupLimits group_limits;
+  /// Frames of earlier experiments to use again; if null, there are none.
+  FramePool* frames = nullptr;
   /// Called with the finished share of the work, from 0 to 1, on the caller's thread.
   std::function<void(double fraction)> progress;
   /// Called with the finished frame of each configuration, on the caller's thread. Frames are not

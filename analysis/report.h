@@ -31,9 +31,9 @@ struct InstructionRecord {
 /// What one memory instruction touched within a stage, over the executions that were observed.
 struct MemoryRecord {
   std::string mnemonic;
-  std::uint64_t issued = 0;                 ///< Executions observed.
-  std::uint64_t active = 0;                 ///< Lanes on in them.
-  std::uint64_t lines = 0;                  ///< Distinct lines of 64 bytes, summed over executions.
+  std::uint64_t issued = 0;  ///< Executions observed.
+  std::uint64_t active = 0;  ///< Lanes on in them.
+  std::uint64_t lines = 0;   ///< Distinct lines of 64 bytes, summed over executions.
   std::vector<std::uint64_t> lines_histogram;  ///< [W + 1] executions that touched k lines.
   /// Lanes that stored to an element that an earlier lane of the same execution stored to.
   std::uint64_t conflicts = 0;
@@ -129,9 +129,9 @@ struct Timing {
   int threads = 1;
   std::string host;
   std::string compiler;
-  std::vector<double> kernel_ms;  ///< [runs] time within the kernel, summed over threads.
-  double dicing_ms = 0.0;       ///< Splitting and dicing, summed over threads.
-  double observation_ms = 0.0;  ///< Observing memory and source lines, summed over threads.
+  std::vector<double> kernel_ms;        ///< [runs] time within the kernel, summed over threads.
+  double dicing_ms = 0.0;               ///< Splitting and dicing, summed over threads.
+  double observation_ms = 0.0;          ///< Observing memory and source lines, summed over threads.
   std::uint64_t peak_memory_bytes = 0;  ///< Largest resident set of the process.
 };
 

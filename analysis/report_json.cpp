@@ -18,7 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-
 Json ratio_json(const Ratio& ratio) {
   const auto value = ratio.value();
   return {{"numerator", ratio.numerator},
@@ -135,17 +134,16 @@ Json to_json(const RunRecord& run) {
 }
 
 Json to_json(const Report& report) {
-  return {
-      {"schema", {{"name", kReportSchema}, {"version", kReportVersion}}},
-      {"made_by",
-       {{"program", "lanescope"},
-        {"version", report.program_version},
-        {"commit", report.commit.empty() ? Json(nullptr) : Json(report.commit)},
-        {"command", report.command}}},
-      {"machine", {{"line_bytes", kLineBytes}, {"element_types", kElementTypes}}},
-      {"instructions", list_json(report.instructions, entry_json)},
-      {"runs", list_json(report.runs, [](const RunRecord& run) { return to_json(run); })},
-      {"timing", timing_json(report.timing)}};
+  return {{"schema", {{"name", kReportSchema}, {"version", kReportVersion}}},
+          {"made_by",
+           {{"program", "lanescope"},
+            {"version", report.program_version},
+            {"commit", report.commit.empty() ? Json(nullptr) : Json(report.commit)},
+            {"command", report.command}}},
+          {"machine", {{"line_bytes", kLineBytes}, {"element_types", kElementTypes}}},
+          {"instructions", list_json(report.instructions, entry_json)},
+          {"runs", list_json(report.runs, [](const RunRecord& run) { return to_json(run); })},
+          {"timing", timing_json(report.timing)}};
 }
 
 std::string report_text(const Report& report) { return json_text(to_json(report)); }

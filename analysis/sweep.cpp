@@ -73,10 +73,11 @@ class Sweep {
     tell(0.0);
   }
 
-  std::optional<Report> try_run(const std::vector<Configuration>& group, std::string& error) const {
+  std::optional<Report> try_run(const std::vector<Configuration>& group, std::string& error) {
     ExperimentOptions options;
     options.threads = options_.threads;
     options.group_limits = options_.group_limits;
+    options.frames = &frames_;
     options.progress = [&](double fraction) { tell(fraction * expected_work(group)); };
     try {
       return run_experiment(group, options);
@@ -111,6 +112,7 @@ class Sweep {
   const SweepOptions& options_;
   std::vector<Configuration> left_;
   SweepSummary summary_;
+  FramePool frames_;
   double work_ = 0.0;
   double work_done_ = 0.0;
 };

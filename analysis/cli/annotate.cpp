@@ -55,10 +55,9 @@ Report selected(Report report, const Arguments& a) {
 
 Report run_selected(const CLI::App& app, const Arguments& a) {
   const std::vector<std::string> names = resolve_kernels(a.kernel.empty() ? "repack" : a.kernel);
-  const std::vector<Configuration> configurations =
-      cross(resolve_scenes(a.experiment, DefaultScenes::kFirst), names,
-            a.width.empty() ? "16" : a.width,
-            resolve_shapes(a.micropolygon.empty() ? "triangle" : a.micropolygon));
+  const std::vector<Configuration> configurations = cross(
+      resolve_scenes(a.experiment, DefaultScenes::kFirst), names, a.width.empty() ? "16" : a.width,
+      resolve_shapes(a.micropolygon.empty() ? "triangle" : a.micropolygon));
   ExperimentOptions options;
   options.threads = resolve_threads(a.experiment.threads);
   Progress progress(app.get_name());

@@ -14,6 +14,8 @@ namespace {
 constexpr double kTerminalPeriod_s = 0.2;
 /// Lines elsewhere come at 1, 2, 4, 8 ... seconds.
 constexpr double kBackOff = 2.0;
+/// Less work than this tells nothing about the rest.
+constexpr double kTelling = 0.02;
 
 }  // namespace
 
@@ -44,7 +46,7 @@ void Progress::update(double fraction, std::string_view detail) {
   std::string text =
       fmt::format("{}: {:.0f}%, {}", title_, 100.0 * fraction, duration_text(elapsed));
   if (!detail.empty()) text += fmt::format(", {}", detail);
-  if (fraction > 0.0)
+  if (fraction >= kTelling)
     text += fmt::format(", about {} left", duration_text(elapsed * (1.0 / fraction - 1.0)));
   text = terminal_ ? fmt::format("\r{}\033[K", text) : text + '\n';
   std::fputs(text.c_str(), stderr);

@@ -163,18 +163,25 @@ SweepSummary run_shown(const Request& request, const SweepDirectory& directory,
   return run_sweep(request.cells, directory, options);
 }
 
-void sweep(const CLI::App& app, const Arguments& arguments) {
+/// Exit status 1: every cell was tried, and some failed.
+int sweep(const CLI::App& app, const Arguments& arguments) {
   const Request request = resolve(app, arguments);
   const SweepDirectory directory(arguments.out);
-  if (arguments.dry_run) return list(request, directory);
+  if (arguments.dry_run) {
+    list(request, directory);
+    return 0;
+  }
   directory.open();
   AtomicFile summary_file(summary_path(directory, request.shard));
   const SweepSummary summary = run_shown(request, directory, app.get_name());
   if (summary.done + summary.failed > 0) summary_file.commit(summary_text(summary));
   tell_end(summary);
-  if (summary.failed > 0)
-    throw InputError(arguments.out, "{} of {} cells failed; their errors are in {}/",
-                     summary.failed, summary.cells, directory.failed_path());
+  if (summary.failed == 0) return 0;
+  std::fputs(fmt::format("lanescope: {}: {} of {} cells failed; their errors are in {}/\n",
+                         arguments.out, summary.failed, summary.cells, directory.failed_path())
+                 .c_str(),
+             stderr);
+  return 1;
 }
 
 Action declare(CLI::App& app) {
@@ -196,7 +203,7 @@ Action declare(CLI::App& app) {
       ->group("Output");
   app.add_flag("--dry-run", arguments->dry_run, "Lists the cells and an estimate of the time")
       ->group("Output");
-  return [&app, arguments] { sweep(app, *arguments); };
+  return [&app, arguments] { return sweep(app, *arguments); };
 }
 
 }  // namespace

@@ -40,8 +40,7 @@ const std::string kCommandNames = list_or(std::span(testing::kCommands));
 const std::vector<BadLine> kBadLines{
     // Commands and their arguments.
     {"", "command: none given; use " + kCommandNames},
-    {"runn",
-     "command: 'runn' is not a command; use " + kCommandNames + "; did you mean 'run'?"},
+    {"runn", "command: 'runn' is not a command; use " + kCommandNames + "; did you mean 'run'?"},
     {"zzzzzz", "command: 'zzzzzz' is not a command; use " + kCommandNames},
     {"--versoin", "--versoin: is not an option of lanescope; did you mean '--version'?"},
     {"run teapot", "run: unexpected argument 'teapot'"},

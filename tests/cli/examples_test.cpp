@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 #include "kernels/kernel.h"
@@ -26,16 +25,6 @@ std::vector<std::string> examples_in(const std::string& help) {
   return examples;
 }
 
-/// The example at a resolution that takes no time, if its command takes one.
-std::string made_small(const std::string& example) {
-  static const std::regex kResolution(" --resolution [0-9x]+");
-  const std::string command = example.substr(0, example.find(' '));
-  const bool takes_resolution =
-      lanescope_program(command + " --help").output.find("--resolution") != std::string::npos;
-  if (!takes_resolution || example.find("--from") != std::string::npos) return example;
-  return std::regex_replace(example, kResolution, "") + " --resolution 96x60";
-}
-
 void write(const fs::path& path, const std::string& text) {
   fs::create_directories(path.parent_path());
   std::ofstream(path) << text;
@@ -51,6 +40,10 @@ void furnish(const fs::path& directory) {
   const std::string run = "run --scene teapot --resolution 48x30 --width 8,16 --json ";
   for (const char* report : {"report.json", "out/report.json", "a.json", "b.json"})
     ASSERT_EQ(lanescope_program(run + report, directory).status, 0);
+  ASSERT_EQ(
+      lanescope_program("run --scene ballroll --resolution 48x30 --json other.json", directory)
+          .status,
+      0);
 }
 
 TEST(Examples, OfEveryCommandWork) {
@@ -64,7 +57,7 @@ TEST(Examples, OfEveryCommandWork) {
     const auto examples = examples_in(lanescope_program(name + " --help").output);
     EXPECT_FALSE(examples.empty()) << name;
     for (const std::string& example : examples) {
-      const auto outcome = lanescope_program(made_small(example), directory);
+      const auto outcome = lanescope_program(testing::made_small(example), directory);
       EXPECT_EQ(outcome.status, 0) << example << "\n" << outcome.errors;
     }
   }

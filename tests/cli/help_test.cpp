@@ -25,8 +25,7 @@ TEST_P(Help, GoesToStandardOutputWithAnExample) {
   EXPECT_NE(help.output.find("Examples:\n  lanescope "), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         ::testing::ValuesIn(with_program(testing::kCommands)),
+INSTANTIATE_TEST_SUITE_P(Commands, Help, ::testing::ValuesIn(with_program(testing::kCommands)),
                          [](const auto& info) {
                            return info.param.empty() ? std::string("program") : info.param;
                          });

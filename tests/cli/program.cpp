@@ -8,6 +8,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 
 #include "analysis/files.h"
 
@@ -27,6 +28,15 @@ Outcome shell(const std::string& command_line, const std::string& directory) {
 
 Outcome lanescope_program(const std::string& arguments, const std::string& directory) {
   return shell(fmt::format("'{}' {}", LANESCOPE_BINARY, arguments), directory);
+}
+
+std::string made_small(const std::string& arguments) {
+  static const std::regex kResolution(" --resolution [0-9x]+");
+  const std::string help =
+      lanescope_program(arguments.substr(0, arguments.find(' ')) + " --help").output;
+  if (help.find("--resolution") == help.npos || arguments.find("--from") != arguments.npos)
+    return arguments;
+  return std::regex_replace(arguments, kResolution, "") + " --resolution 96x60";
 }
 
 }  // namespace lanescope::testing

@@ -26,15 +26,6 @@ std::vector<std::string> commands_of_readme() {
   return commands;
 }
 
-/// The command at a resolution that takes no time; one that reads a report stays as it is.
-std::string made_small(const std::string& command) {
-  static const std::regex kResolution(" --resolution [0-9x]+");
-  if (!std::regex_search(command, std::regex("^(run|render|tables)")) ||
-      command.find("--from") != std::string::npos)
-    return command;
-  return std::regex_replace(command, kResolution, "") + " --resolution 48x30";
-}
-
 TEST(Readme, EveryCommandWorks) {
   for (const int width : {8, 16, 32, 64})
     if (!std::ranges::binary_search(built_widths(), width))
@@ -43,10 +34,11 @@ TEST(Readme, EveryCommandWorks) {
   fs::remove_all(directory);
   fs::create_directories(directory / "models");
   std::ofstream(directory / "models" / "bunny.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  fs::copy(fs::path(LANESCOPE_SOURCE_DIR) / "examples", directory / "examples");
   const auto commands = commands_of_readme();
   EXPECT_GE(commands.size(), 8u);
   for (const std::string& command : commands) {
-    const auto outcome = testing::lanescope_program(made_small(command), directory);
+    const auto outcome = testing::lanescope_program(testing::made_small(command), directory);
     EXPECT_EQ(outcome.status, 0) << command << "\n" << outcome.errors;
   }
   fs::remove_all(directory);
@@ -55,8 +47,9 @@ TEST(Readme, EveryCommandWorks) {
 /// Links to files of the repository lead somewhere.
 TEST(Readme, LinksLeadSomewhere) {
   static const std::regex kLink(R"(\]\(([^)#:]+)(#[^)]*)?\))");
-  for (const char* page : {"README.md", "docs/thesis.md", "docs/kernels.md", "docs/workloads.md",
-                           "docs/conventions.md", "docs/report-format.md"}) {
+  for (const char* page :
+       {"README.md", "docs/thesis.md", "docs/kernels.md", "docs/workloads.md",
+        "docs/conventions.md", "docs/pictures.md", "docs/report-format.md", "docs/sweeps.md"}) {
     const fs::path path = fs::path(LANESCOPE_SOURCE_DIR) / page;
     const std::string text = read_file(path);
     for (std::sregex_iterator it(text.begin(), text.end(), kLink), end; it != end; ++it)

@@ -23,8 +23,12 @@ struct Recorder final : Observer {
     std::vector<Touch> touches;
   };
   void issued(const IssueEvent& event) override {
-    events.push_back({std::string(event.info.mnemonic), event.stage, event.active, event.overhead,
-                      event.at.line(), {event.touches.begin(), event.touches.end()}});
+    events.push_back({std::string(event.info.mnemonic),
+                      event.stage,
+                      event.active,
+                      event.overhead,
+                      event.at.line(),
+                      {event.touches.begin(), event.touches.end()}});
     file = event.at.file_name();
     charged += event.charged();
   }
