@@ -172,7 +172,7 @@ extern const Command c_trace{
     "trace", "Shows every instruction of a few batches, lane by lane",
     "  lanescope trace --scene teapot --png lanes.png --svg lanes.svg\n"
     "  lanescope trace --scene tigerjump --batches 1000:1200 --png lanes.png\n"
-    "  lanescope trace --scene teapot --region 800,500,8x8 --chrome trace.json\n"
+    "  lanescope trace --scene teapot --region 40,30,8x8 --chrome trace.json\n"
     "  lanescope trace --kernel repack --width 8 --batches 400:401 --listing -",
     declare};
 

@@ -132,7 +132,9 @@ class WholeRun : public ::testing::TestWithParam<std::tuple<const char*, int, Mi
     c.tessellation.height_px = 40;
     c.tessellation.packet_capacity = 500;
     c.observe_every = observe_every;
-    return run_experiment({c}, {2, nullptr, nullptr}).runs.front();
+    ExperimentOptions options;
+    options.threads = 2;
+    return run_experiment({c}, options).runs.front();
   }
 };
 

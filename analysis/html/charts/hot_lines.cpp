@@ -9,7 +9,7 @@
 namespace lanescope {
 namespace {
 
-constexpr std::size_t kLines = 15;
+constexpr std::size_t kLines = 200;
 
 std::vector<Block> build(const ReportView& view) {
   std::string html;
