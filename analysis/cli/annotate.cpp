@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <memory>
 
-#include "analysis/annotation.h"
+#include "analysis/annotation/annotation.h"
 #include "analysis/cli/command.h"
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
 #include "analysis/cli/values.h"
-#include "analysis/experiment.h"
-#include "analysis/format.h"
-#include "analysis/report_json.h"
+#include "analysis/experiment/experiment.h"
+#include "analysis/formats/format.h"
+#include "analysis/report/report_json.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // `lanescope compare`: what differs between two reports, with an exit status for scripts.
-#include "analysis/compare.h"
+#include "analysis/comparison/compare.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
 
+#include "analysis/base/json_text.h"
 #include "analysis/cli/command.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/values.h"
-#include "analysis/configuration_json.h"
-#include "analysis/json_text.h"
-#include "analysis/report_json.h"
+#include "analysis/configuration/configuration_json.h"
+#include "analysis/report/report_json.h"
 
 namespace lanescope {
 namespace {

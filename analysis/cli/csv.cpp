@@ -6,8 +6,8 @@
 #include "analysis/cli/command.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/values.h"
-#include "analysis/report_json.h"
-#include "analysis/tidy.h"
+#include "analysis/report/report_json.h"
+#include "analysis/report/tidy.h"
 
 namespace lanescope {
 namespace {

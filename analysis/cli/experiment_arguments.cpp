@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "analysis/cli/values.h"
-#include "analysis/configuration_limits.h"
-#include "analysis/scene_source.h"
-#include "analysis/thesis.h"
+#include "analysis/configuration/configuration_limits.h"
+#include "analysis/experiment/scene_source.h"
+#include "analysis/tables/thesis.h"
 
 namespace lanescope {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/configuration.h"
+#include "analysis/configuration/configuration.h"
 
 namespace CLI {
 class App;

@@ -9,7 +9,7 @@
 #include "analysis/cli/command.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/values.h"
-#include "analysis/table.h"
+#include "analysis/tables/table.h"
 #include "kernels/kernel.h"
 #include "simulator/instruction_set.h"
 #include "workloads/scene.h"

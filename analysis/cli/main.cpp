@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "analysis/build_info.h"
+#include "analysis/base/build_info.h"
 #include "analysis/cli/command.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/values.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `lanescope merge`: one report from several, or from the cells of sweeps.
-#include "analysis/merge.h"
+#include "analysis/report/merge.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 
 #include "analysis/cli/command.h"
 #include "analysis/cli/output.h"
-#include "analysis/report_json.h"
-#include "analysis/sweep_directory.h"
+#include "analysis/report/report_json.h"
+#include "analysis/sweep/sweep_directory.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {

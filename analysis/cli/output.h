@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "analysis/files.h"
-#include "analysis/report.h"
+#include "analysis/base/files.h"
+#include "analysis/report/report.h"
 
 namespace CLI {
 class App;

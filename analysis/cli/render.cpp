@@ -8,11 +8,11 @@
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
 #include "analysis/cli/values.h"
-#include "analysis/experiment.h"
-#include "analysis/heat_map.h"
-#include "analysis/image.h"
-#include "analysis/picture_title.h"
-#include "analysis/sample_maps.h"
+#include "analysis/experiment/experiment.h"
+#include "analysis/experiment/sample_maps.h"
+#include "analysis/pictures/heat_map.h"
+#include "analysis/pictures/image.h"
+#include "analysis/pictures/picture_title.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {

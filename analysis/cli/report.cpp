@@ -7,7 +7,7 @@
 #include "analysis/cli/command.h"
 #include "analysis/cli/output.h"
 #include "analysis/html/page.h"
-#include "analysis/report_json.h"
+#include "analysis/report/report_json.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {

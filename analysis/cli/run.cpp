@@ -8,9 +8,9 @@
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
 #include "analysis/cli/run_summary.h"
-#include "analysis/experiment.h"
-#include "analysis/format.h"
-#include "analysis/report_json.h"
+#include "analysis/experiment/experiment.h"
+#include "analysis/formats/format.h"
+#include "analysis/report/report_json.h"
 
 namespace lanescope {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "analysis/figures.h"
+#include "analysis/report/figures.h"
 
 namespace lanescope {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "analysis/table.h"
+#include "analysis/tables/table.h"
 
 namespace lanescope {
 

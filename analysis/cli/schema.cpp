@@ -2,7 +2,7 @@
 // `lanescope schema`: the JSON Schema of reports, for validators.
 #include "analysis/cli/command.h"
 #include "analysis/cli/output.h"
-#include "analysis/report_json.h"
+#include "analysis/report/report_json.h"
 
 namespace lanescope {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `lanescope sweep`: many configurations, each kept as a report of its own.
-#include "analysis/sweep.h"
+#include "analysis/sweep/sweep.h"
 
 #include <fmt/format.h>
 
@@ -9,15 +9,15 @@
 #include <cstdio>
 #include <memory>
 
+#include "analysis/base/files.h"
 #include "analysis/cli/command.h"
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
 #include "analysis/cli/values.h"
-#include "analysis/configuration_json.h"
-#include "analysis/files.h"
-#include "analysis/sweep_json.h"
-#include "analysis/sweep_spec.h"
+#include "analysis/configuration/configuration_json.h"
+#include "analysis/sweep/sweep_json.h"
+#include "analysis/sweep/sweep_spec.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {

@@ -6,17 +6,17 @@
 #include <memory>
 #include <set>
 
+#include "analysis/base/json_text.h"
 #include "analysis/cli/command.h"
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
 #include "analysis/cli/values.h"
-#include "analysis/experiment.h"
-#include "analysis/format.h"
-#include "analysis/image.h"
-#include "analysis/json_text.h"
-#include "analysis/report_json.h"
-#include "analysis/thesis_json.h"
+#include "analysis/experiment/experiment.h"
+#include "analysis/formats/format.h"
+#include "analysis/pictures/image.h"
+#include "analysis/report/report_json.h"
+#include "analysis/tables/thesis_json.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/configuration.h"
+#include "analysis/configuration/configuration.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {

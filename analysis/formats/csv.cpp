@@ -2,8 +2,8 @@
 // Tidy data: one line for each figure, unscaled and unrounded, for notebooks.
 #include <fmt/format.h>
 
-#include "analysis/csv_text.h"
-#include "analysis/format.h"
+#include "analysis/base/csv_text.h"
+#include "analysis/formats/format.h"
 
 namespace lanescope {
 namespace {

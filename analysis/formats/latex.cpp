@@ -2,7 +2,7 @@
 // Plain tabular environments that need no package.
 #include <fmt/format.h>
 
-#include "analysis/format.h"
+#include "analysis/formats/format.h"
 
 namespace lanescope {
 namespace {

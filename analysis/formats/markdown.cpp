@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "analysis/format.h"
+#include "analysis/formats/format.h"
 
 namespace lanescope {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "analysis/format.h"
+#include "analysis/formats/format.h"
 
 namespace lanescope {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/configuration_json.h"
+#include "analysis/configuration/configuration_json.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {

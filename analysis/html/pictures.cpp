@@ -7,9 +7,9 @@
 #include <array>
 #include <filesystem>
 
-#include "analysis/files.h"
+#include "analysis/base/files.h"
 #include "analysis/html/markup.h"
-#include "analysis/image.h"
+#include "analysis/pictures/image.h"
 
 namespace lanescope {
 namespace {

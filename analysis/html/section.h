@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analysis/html/data_frame.h"
-#include "analysis/report_view.h"
+#include "analysis/tables/report_view.h"
 
 namespace lanescope {
 

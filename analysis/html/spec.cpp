@@ -8,9 +8,9 @@
 #include <cctype>
 #include <set>
 
-#include "analysis/palette.h"
-#include "analysis/thesis.h"
-#include "analysis/thesis_figures.h"
+#include "analysis/pictures/palette.h"
+#include "analysis/tables/thesis.h"
+#include "analysis/tables/thesis_figures.h"
 
 namespace lanescope {
 namespace {

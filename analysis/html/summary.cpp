@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "analysis/configuration_json.h"
+#include "analysis/configuration/configuration_json.h"
 #include "analysis/html/markup.h"
 
 namespace lanescope {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/format.h"
+#include "analysis/formats/format.h"
 #include "analysis/html/markup.h"
 
 namespace lanescope {

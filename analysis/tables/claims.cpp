@@ -6,9 +6,9 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/table.h"
-#include "analysis/thesis.h"
-#include "analysis/thesis_figures.h"
+#include "analysis/tables/table.h"
+#include "analysis/tables/thesis.h"
+#include "analysis/tables/thesis_figures.h"
 
 namespace lanescope {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "analysis/tables/thesis.h"
 #include "analysis/tables/utilization.h"
-#include "analysis/thesis.h"
 
 namespace lanescope {
 namespace {

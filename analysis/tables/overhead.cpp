@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "analysis/table.h"
-#include "analysis/thesis.h"
-#include "analysis/thesis_figures.h"
+#include "analysis/tables/table.h"
+#include "analysis/tables/thesis.h"
+#include "analysis/tables/thesis_figures.h"
 
 namespace lanescope {
 namespace {

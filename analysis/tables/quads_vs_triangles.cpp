@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "analysis/table.h"
-#include "analysis/thesis.h"
-#include "analysis/thesis_figures.h"
+#include "analysis/tables/table.h"
+#include "analysis/tables/thesis.h"
+#include "analysis/tables/thesis_figures.h"
 
 namespace lanescope {
 namespace {

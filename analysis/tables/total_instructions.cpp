@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "analysis/table.h"
-#include "analysis/thesis_figures.h"
+#include "analysis/tables/table.h"
+#include "analysis/tables/thesis_figures.h"
 
 namespace lanescope {
 namespace {

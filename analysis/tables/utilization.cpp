@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "analysis/thesis.h"
-#include "analysis/thesis_figures.h"
+#include "analysis/tables/thesis.h"
+#include "analysis/tables/thesis_figures.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {

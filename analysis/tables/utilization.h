@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/table.h"
+#include "analysis/tables/table.h"
 
 namespace lanescope {
 

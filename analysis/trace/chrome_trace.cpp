@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "analysis/configuration_json.h"
+#include "analysis/configuration/configuration_json.h"
 
 namespace lanescope {
 namespace {

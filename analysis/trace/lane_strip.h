@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/configuration.h"
+#include "analysis/configuration/configuration.h"
 #include "analysis/trace/trace.h"
 
 namespace lanescope {

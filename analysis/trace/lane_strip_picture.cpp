@@ -9,8 +9,8 @@
 #include <cmath>
 #include <map>
 
-#include "analysis/palette.h"
-#include "analysis/picture_title.h"
+#include "analysis/pictures/palette.h"
+#include "analysis/pictures/picture_title.h"
 
 namespace lanescope {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/canvas.h"
+#include "analysis/pictures/canvas.h"
 #include "analysis/trace/lane_strip.h"
 
 namespace lanescope {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "analysis/configuration_json.h"
-#include "analysis/picture_title.h"
+#include "analysis/configuration/configuration_json.h"
+#include "analysis/pictures/picture_title.h"
 
 namespace lanescope {
 

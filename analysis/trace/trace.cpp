@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "analysis/scene_source.h"
+#include "analysis/experiment/scene_source.h"
 #include "simulator/base/error.h"
 #include "workloads/tessellator.h"
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-#include "analysis/configuration.h"
+#include "analysis/configuration/configuration.h"
 #include "analysis/trace/region_filter.h"
 #include "simulator/observer.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/annotation.h"
+#include "analysis/annotation/annotation.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/sources.h"
+#include "analysis/annotation/sources.h"
 
 namespace lanescope {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/compare.h"
+#include "analysis/comparison/compare.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/json_text.h"
+#include "analysis/base/json_text.h"
 #include "simulator/base/error.h"
 #include "tests/analysis/sample_report.h"
 

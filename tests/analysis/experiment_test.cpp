@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/experiment.h"
+#include "analysis/experiment/experiment.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/report_json.h"
+#include "analysis/report/report_json.h"
 #include "simulator/base/error.h"
 #include "workloads/scene.h"
 

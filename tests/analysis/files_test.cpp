@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/files.h"
+#include "analysis/base/files.h"
 
 #include <gtest/gtest.h>
 

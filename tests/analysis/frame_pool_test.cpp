@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/frame_pool.h"
+#include "analysis/experiment/frame_pool.h"
 
 #include <gtest/gtest.h>
 

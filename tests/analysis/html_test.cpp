@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-#include "analysis/files.h"
+#include "analysis/base/files.h"
 #include "analysis/html/charts/crossing_point.h"
 #include "analysis/html/groups.h"
 #include "analysis/html/markup.h"
@@ -14,7 +14,7 @@
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
 #include "analysis/html/table_html.h"
-#include "analysis/image.h"
+#include "analysis/pictures/image.h"
 #include "simulator/base/error.h"
 #include "tests/analysis/sample_report.h"
 

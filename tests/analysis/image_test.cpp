@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/image.h"
+#include "analysis/pictures/image.h"
 
 #include <gtest/gtest.h>
 #include <png.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/merge.h"
+#include "analysis/report/merge.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/report_json.h"
+#include "analysis/report/report_json.h"
 #include "simulator/base/error.h"
 #include "tests/analysis/sample_report.h"
 

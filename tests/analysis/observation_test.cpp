@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Memory and source lines: by hand for a few instructions, and against the counts of a whole run.
-#include "analysis/observation.h"
+#include "analysis/experiment/observation.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "analysis/experiment.h"
-#include "analysis/sources.h"
+#include "analysis/annotation/sources.h"
+#include "analysis/experiment/experiment.h"
 #include "simulator/instruction_set.h"
 
 namespace lanescope {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/packet_hash.h"
+#include "analysis/experiment/packet_hash.h"
 
 #include <gtest/gtest.h>
 

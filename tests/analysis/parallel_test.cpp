@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/parallel.h"
+#include "analysis/base/parallel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/report_json.h"
+#include "analysis/report/report_json.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/format.h"
-#include "analysis/json_text.h"
-#include "analysis/table.h"
+#include "analysis/base/json_text.h"
+#include "analysis/formats/format.h"
+#include "analysis/tables/table.h"
 #include "simulator/base/error.h"
 #include "tests/analysis/sample_report.h"
 

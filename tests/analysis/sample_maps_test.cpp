@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/sample_maps.h"
+#include "analysis/experiment/sample_maps.h"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -8,9 +8,9 @@
 #include <memory>
 #include <numeric>
 
-#include "analysis/experiment.h"
-#include "analysis/heat_map.h"
-#include "analysis/palette.h"
+#include "analysis/experiment/experiment.h"
+#include "analysis/pictures/heat_map.h"
+#include "analysis/pictures/palette.h"
 #include "kernels/counters.h"
 
 namespace lanescope {

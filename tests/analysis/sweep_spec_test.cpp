@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/sweep_spec.h"
+#include "analysis/sweep/sweep_spec.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/configuration_json.h"
+#include "analysis/configuration/configuration_json.h"
 #include "simulator/base/error.h"
 #include "workloads/scene.h"
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/sweep.h"
+#include "analysis/sweep/sweep.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <set>
 
-#include "analysis/configuration_json.h"
-#include "analysis/files.h"
-#include "analysis/json_cursor.h"
-#include "analysis/report_json.h"
+#include "analysis/base/files.h"
+#include "analysis/base/json_cursor.h"
+#include "analysis/configuration/configuration_json.h"
+#include "analysis/report/report_json.h"
 #include "workloads/scene.h"
 
 namespace lanescope {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "analysis/table.h"
-#include "analysis/thesis_figures.h"
+#include "analysis/tables/table.h"
+#include "analysis/tables/thesis_figures.h"
 #include "simulator/base/error.h"
 #include "tests/analysis/sample_report.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/thesis_json.h"
+#include "analysis/tables/thesis_json.h"
 
 #include <gtest/gtest.h>
 
-#include "analysis/thesis.h"
+#include "analysis/tables/thesis.h"
 #include "tests/analysis/sample_report.h"
 
 namespace lanescope {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/tidy.h"
+#include "analysis/report/tidy.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
-#include "analysis/csv_text.h"
-#include "analysis/figures.h"
+#include "analysis/base/csv_text.h"
+#include "analysis/report/figures.h"
 #include "tests/analysis/sample_report.h"
 
 namespace lanescope {

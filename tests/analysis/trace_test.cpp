@@ -11,8 +11,8 @@
 #include <numeric>
 #include <sstream>
 
-#include "analysis/experiment.h"
-#include "analysis/palette.h"
+#include "analysis/experiment/experiment.h"
+#include "analysis/pictures/palette.h"
 #include "analysis/trace/chrome_trace.h"
 #include "analysis/trace/lane_strip_picture.h"
 #include "analysis/trace/listing.h"

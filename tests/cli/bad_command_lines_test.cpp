@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "analysis/configuration.h"
+#include "analysis/configuration/configuration.h"
 #include "tests/cli/program.h"
 
 namespace lanescope {

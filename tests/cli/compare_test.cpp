@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `lanescope compare` and `lanescope csv` as scripts use them.
-#include "analysis/json_text.h"
-#include "analysis/report_json.h"
+#include "analysis/base/json_text.h"
+#include "analysis/report/report_json.h"
 #include "tests/analysis/sample_report.h"
 #include "tests/cli/working_directory.h"
 

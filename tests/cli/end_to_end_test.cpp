@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <set>
 
-#include "analysis/json_text.h"
-#include "analysis/report_json.h"
+#include "analysis/base/json_text.h"
+#include "analysis/report/report_json.h"
 #include "tests/cli/working_directory.h"
 
 namespace lanescope {

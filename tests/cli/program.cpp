@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <regex>
 
-#include "analysis/files.h"
+#include "analysis/base/files.h"
 
 namespace lanescope::testing {
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <regex>
 
-#include "analysis/files.h"
+#include "analysis/base/files.h"
 #include "kernels/kernel.h"
 #include "tests/cli/program.h"
 

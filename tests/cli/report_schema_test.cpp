@@ -3,8 +3,8 @@
 // validator that knows nothing of the program decides (tests/schema/validate.py).
 #include <gtest/gtest.h>
 
-#include "analysis/json_text.h"
-#include "analysis/report_json.h"
+#include "analysis/base/json_text.h"
+#include "analysis/report/report_json.h"
 #include "tests/analysis/sample_report.h"
 #include "tests/cli/working_directory.h"
 

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "analysis/files.h"
+#include "analysis/base/files.h"
 #include "tests/cli/program.h"
 
 namespace lanescope {

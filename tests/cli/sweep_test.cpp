@@ -12,9 +12,9 @@
 #include <random>
 #include <thread>
 
-#include "analysis/json_text.h"
-#include "analysis/report_json.h"
-#include "analysis/sweep_directory.h"
+#include "analysis/base/json_text.h"
+#include "analysis/report/report_json.h"
+#include "analysis/sweep/sweep_directory.h"
 #include "tests/cli/working_directory.h"
 
 namespace lanescope {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "analysis/files.h"
+#include "analysis/base/files.h"
 #include "tests/cli/program.h"
 
 namespace lanescope {

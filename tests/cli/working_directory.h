@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "analysis/files.h"
+#include "analysis/base/files.h"
 #include "tests/cli/program.h"
 
 namespace lanescope::testing {

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "analysis/report_json.h"
+#include "analysis/report/report_json.h"
 
 namespace lanescope {
 namespace {

@@ -72,6 +72,27 @@ TEST(Layering, IncludesRunOneWay) {
   }
 }
 
+TEST(Layering, IncludesWithinAnalysisRunOneWay) {
+  // Each folder may include itself and those before it.
+  const std::vector<std::string> order = {
+      "base",  "configuration", "report",     "tables",     "formats", "pictures", "experiment",
+      "sweep", "trace",         "annotation", "comparison", "html",    "cli"};
+  for_each_source("analysis", [&](const std::string& path, const std::string& text) {
+    const auto folder_of = [](const std::string& name) {
+      const std::size_t begin = std::string("analysis/").size();
+      return name.substr(begin, name.find('/', begin) - begin);
+    };
+    const auto rank = [&](const std::string& folder) {
+      return std::find(order.begin(), order.end(), folder) - order.begin();
+    };
+    const auto own = rank(folder_of(path));
+    EXPECT_LT(own, static_cast<std::ptrdiff_t>(order.size())) << path << " is in no known folder";
+    for (const std::string& include : includes_of(text))
+      if (include.starts_with("analysis/") && include.find('/', 9) != std::string::npos)
+        EXPECT_LE(rank(folder_of(include)), own) << path << " includes " << include;
+  });
+}
+
 TEST(Layering, OnlyTheCommandLinePrintsOrExits) {
   static const std::regex kPrints(
       R"(std::cout|std::cerr|std::exit|[^a-z_]exit\(|fmt::print\(|[^a-z_:]printf\(|std::puts)");

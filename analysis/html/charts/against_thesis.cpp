@@ -3,7 +3,7 @@
 
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
-#include "analysis/table.h"
+#include "analysis/tables/table.h"
 
 namespace lanescope {
 namespace {

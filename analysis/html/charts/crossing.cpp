@@ -8,7 +8,7 @@
 #include "analysis/html/markup.h"
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
-#include "analysis/thesis_figures.h"
+#include "analysis/tables/thesis_figures.h"
 
 namespace lanescope {
 namespace {

@@ -7,9 +7,9 @@
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
 #include "analysis/html/table_html.h"
+#include "analysis/tables/thesis.h"
+#include "analysis/tables/thesis_figures.h"
 #include "analysis/tables/utilization.h"
-#include "analysis/thesis.h"
-#include "analysis/thesis_figures.h"
 
 namespace lanescope {
 namespace {

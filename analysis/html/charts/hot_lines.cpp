@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "analysis/annotation.h"
+#include "analysis/annotation/annotation.h"
 #include "analysis/html/markup.h"
 #include "analysis/html/section.h"
 #include "analysis/html/table_html.h"

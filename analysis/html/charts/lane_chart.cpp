@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/html/charts/lane_chart.h"
 
-#include "analysis/figures.h"
 #include "analysis/html/spec.h"
+#include "analysis/report/figures.h"
 
 namespace lanescope {
 namespace {

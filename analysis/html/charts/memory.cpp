@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <set>
 
-#include "analysis/figures.h"
 #include "analysis/html/markup.h"
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
+#include "analysis/report/figures.h"
 
 namespace lanescope {
 namespace {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <map>
 
-#include "analysis/figures.h"
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
+#include "analysis/report/figures.h"
 
 namespace lanescope {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
-#include "analysis/thesis.h"
-#include "analysis/thesis_figures.h"
+#include "analysis/tables/thesis.h"
+#include "analysis/tables/thesis_figures.h"
 
 namespace lanescope {
 namespace {

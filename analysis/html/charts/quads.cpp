@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
-#include "analysis/thesis_figures.h"
+#include "analysis/tables/thesis_figures.h"
 
 namespace lanescope {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "analysis/figures.h"
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
+#include "analysis/report/figures.h"
 
 namespace lanescope {
 namespace {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Where in a kernel's source instructions are issued, and how busy the lanes are there.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "analysis/report/figures.h"
+#include "analysis/report/report.h"
+#include "analysis/tables/table.h"
+
+namespace lanescope {
+
+/// What was issued at a line, by all stages that share it.
+struct AnnotatedLine {
+  std::string file;
+  std::uint32_t line = 0;
+  std::string stages;  ///< Names, with commas.
+  std::uint64_t issued = 0;
+  std::uint64_t active = 0;    ///< Lanes charged.
+  std::uint64_t overhead = 0;  ///< Those of `issued` that the kernel marks as overhead.
+};
+
+/// The lines of one kernel at one width on one kind of micropolygon, summed over the scenes of a
+/// report.
+struct Annotation {
+  std::string kernel;
+  int width = 0;
+  Micropolygon shape = Micropolygon::kTriangle;
+  std::vector<std::string> scenes;
+  Observation observation;           ///< What the sums are over.
+  std::uint64_t issued = 0;          ///< At all lines.
+  std::vector<AnnotatedLine> lines;  ///< Hottest first.
+
+  /// `repack, W = 16, triangles: ballroll, talking`.
+  std::string title() const;
+  Ratio share(const AnnotatedLine& line) const { return {line.issued, issued}; }
+  Ratio utilization(const AnnotatedLine& line) const;
+};
+
+/// An annotation for each kernel, width and kind of micropolygon of the report whose lines were
+/// observed, in the order of their first runs.
+std::vector<Annotation> annotate(const Report& report);
+
+/// The hottest `count` lines with their source, as a table.
+TableData hottest_lines(const Annotation& annotation, std::size_t count);
+
+/// The sources that the lines are in, each line with its share of the instructions, its utilization
+/// and the number issued in the margin.
+std::string annotated_source(const Annotation& annotation);
+
+}  // namespace lanescope

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/comparison/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "analysis/base/json_text.h"
+#include "analysis/configuration/configuration_json.h"
+#include "analysis/report/figures.h"
+#include "simulator/base/error.h"
+
+namespace lanescope {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Counts = std::vector<std::uint64_t>;
+
+/// One figure of a run. A list stands for itself beside its sum.
+struct RunValue {
+  std::string stage;
+  std::string figure;
+  const Unit* unit;
+  bool is_detail;
+  Json value;
+  Counts list;
+};
+
+/// Collects the figures of a run.
+class RunValues {
+ public:
+  /// `with_observed`: also what depends on which packets were observed.
+  RunValues(const RunRecord& run, bool with_observed) : run_(run), with_observed_(with_observed) {
+    add_run();
+    for (const StageRecord& stage : run.stages) add_stage(stage);
+    for (const SeriesRecord& series : run.series) add_list("", series.name, series.values);
+  }
+
+  const std::vector<RunValue>& all() const { return values_; }
+
+ private:
+  void add(const std::string& stage, const std::string& figure, Json value,
+           const Unit& unit = kCount) {
+    values_.push_back({stage, figure, &unit, false, std::move(value), {}});
+  }
+  void add_detail(const std::string& stage, const std::string& figure, std::uint64_t value) {
+    values_.push_back({stage, figure, &kCount, true, value, {}});
+  }
+  void add_list(const std::string& stage, const std::string& figure, const Counts& list) {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t count : list) sum += count;
+    values_.push_back({stage, figure, &kCount, true, sum, list});
+  }
+  void add_ratio(const std::string& stage, const std::string& figure, std::optional<double> value,
+                 const Unit& unit) {
+    add(stage, figure, value ? Json(*value) : Json(nullptr), unit);
+  }
+
+  void add_run() {
+    add("", "scene_hash", hash_text(run_.scene_hash));
+    add("", "hits_hash", hash_text(run_.hits_hash));
+    add("", "frame_hash", hash_text(run_.frame_hash));
+    add("", "samples_covered", run_.samples_covered);
+    add(kTessellation, "patches_culled", run_.tessellation.patches_culled);
+    add(kTessellation, "patches_split", run_.tessellation.patches_split);
+    add(kTessellation, "patches_dropped", run_.tessellation.patches_dropped);
+    add(kTessellation, "grids", run_.tessellation.grids);
+    add(kTessellation, "micropolygons", run_.tessellation.micropolygons);
+    add(kTessellation, "dropped", run_.tessellation.dropped);
+    add(kTessellation, "packets", run_.observation.packets);
+    if (with_observed_) add(kTessellation, "packets_observed", run_.observation.packets_observed);
+    for (const CounterRecord& counter : run_.counters) add("", counter.name, counter.value);
+    for (const MetricRecord& metric : run_.metrics)
+      add_ratio("", metric.name, counter_ratio(run_, metric.numerator, metric.denominator),
+                kMeasure);
+    if (run_.stages.empty()) return;
+    add_total(kAllStages, total(run_, Stages::kAll), utilization(run_, Stages::kAll),
+              instructions_per_micropolygon(run_, Stages::kAll));
+  }
+
+  void add_total(const std::string& stage, const InstructionRecord& sum, const Ratio& utilization,
+                 std::optional<double> per_micropolygon) {
+    add(stage, "issued", sum.issued);
+    add(stage, "active", sum.active);
+    add(stage, "overhead_issued", sum.overhead_issued);
+    add(stage, "overhead_active", sum.overhead_active);
+    add_ratio(stage, "utilization", utilization.value(), kPercent);
+    add_ratio(stage, "issued_per_micropolygon", per_micropolygon, kInstructions);
+  }
+
+  void add_stage(const StageRecord& stage) {
+    add_total(stage.name, stage.total(), utilization(stage, run_.configuration.width),
+              instructions_per_micropolygon(run_, stage.name));
+    for (const InstructionRecord& counts : stage.instructions) {
+      add_detail(stage.name, counts.mnemonic + " issued", counts.issued);
+      add_detail(stage.name, counts.mnemonic + " active", counts.active);
+      add_detail(stage.name, counts.mnemonic + " overhead_issued", counts.overhead_issued);
+      add_detail(stage.name, counts.mnemonic + " overhead_active", counts.overhead_active);
+    }
+    add_list(stage.name, "lane_active", stage.lane_active);
+    add_list(stage.name, "histogram", stage.histogram);
+    if (!with_observed_) return;
+    for (const MemoryRecord& memory : stage.memory) {
+      add_detail(stage.name, memory.mnemonic + " observed", memory.issued);
+      add_detail(stage.name, memory.mnemonic + " observed active", memory.active);
+      add_detail(stage.name, memory.mnemonic + " lines", memory.lines);
+      add_detail(stage.name, memory.mnemonic + " conflicts", memory.conflicts);
+      add_list(stage.name, memory.mnemonic + " lines_histogram", memory.lines_histogram);
+    }
+  }
+
+  static constexpr const char* kAllStages = "All stages";
+  static constexpr const char* kTessellation = "Tessellation";
+
+  const RunRecord& run_;
+  bool with_observed_;
+  std::vector<RunValue> values_;
+};
+
+/// Sum of the differences of two lists, place by place.
+double distance(const Counts& a, const Counts& b) {
+  const auto at = [](const Counts& list, std::size_t i) {
+    return i < list.size() ? static_cast<double>(list[i]) : 0.0;
+  };
+  double sum = 0.0;
+  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i)
+    sum += std::abs(at(b, i) - at(a, i));
+  return sum;
+}
+
+/// A figure that is not the same, or is there only once: the other is then null.
+Change change_of(const RunValue* before, const RunValue* after, double tolerance) {
+  const RunValue& known = before ? *before : *after;
+  Change change{known.stage, known.figure, known.unit, known.is_detail, {}, {}, {}, {}, false};
+  if (before) change.before = before->value;
+  if (after) change.after = after->value;
+  if (change.before.is_string() && change.after.is_string())
+    change.within_tolerance = tolerance > 0.0;
+  if (!change.before.is_number() || !change.after.is_number()) return change;
+  const double old = change.before.get<double>();
+  change.difference =
+      known.list.empty() ? change.after.get<double>() - old : distance(before->list, after->list);
+  if (old == 0.0) return change;
+  change.relative = *change.difference / std::abs(old);
+  // Ratios carry rounding errors, which must not push one over a tolerance that its counts meet.
+  change.within_tolerance = std::abs(*change.relative) <= tolerance * (1.0 + 1e-9);
+  return change;
+}
+
+double size_of(const Change& change) {
+  return change.relative ? std::abs(*change.relative) : std::numeric_limits<double>::infinity();
+}
+
+std::vector<Change> changes_between(const RunRecord& before, const RunRecord& after,
+                                    double tolerance) {
+  const bool with_observed =
+      before.configuration.observe_every == after.configuration.observe_every;
+  const RunValues old(before, with_observed);
+  const RunValues now(after, with_observed);
+  std::map<std::pair<std::string, std::string>, const RunValue*> unseen;
+  for (const RunValue& value : now.all()) unseen[{value.stage, value.figure}] = &value;
+  std::vector<Change> changes;
+  for (const RunValue& value : old.all()) {
+    const auto found = unseen.find({value.stage, value.figure});
+    const RunValue* other = found == unseen.end() ? nullptr : found->second;
+    if (other) unseen.erase(found);
+    if (!other || other->value != value.value || other->list != value.list)
+      changes.push_back(change_of(&value, other, tolerance));
+  }
+  for (const auto& [key, value] : unseen) changes.push_back(change_of(nullptr, value, tolerance));
+  std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
+    return a.is_detail != b.is_detail ? b.is_detail : size_of(a) > size_of(b);
+  });
+  return changes;
+}
+
+/// Parameters as words: those of the names given.
+std::string run_title(const Json& parameters, const std::set<std::string>& names) {
+  std::string text;
+  for (const auto& [name, value] : parameters.items()) {
+    if (!names.contains(name)) continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", name,
+                        value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  return text;
+}
+
+const std::set<std::string> kAlwaysNamed{"kernel", "width_lanes", "micropolygon", "scene"};
+
+/// The runs of a report by those of their parameters that are not ignored.
+class RunIndex {
+ public:
+  RunIndex(const NamedReport& source, const std::set<std::string>& ignored) {
+    for (const RunRecord& run : source.report.runs) {
+      Json parameters = configuration_json(run.configuration);
+      for (const std::string& name : ignored) parameters.erase(name);
+      if (!by_key_.emplace(parameters.dump(), keys_.size()).second)
+        throw InputError(source.name, "two runs have the same parameters but for those ignored: {}",
+                         run_title(parameters, kAlwaysNamed));
+      keys_.push_back(parameters);
+    }
+  }
+
+  const Json& parameters(std::size_t run) const { return keys_[run]; }
+  std::optional<std::size_t> find(const Json& parameters) const {
+    const auto found = by_key_.find(parameters.dump());
+    return found == by_key_.end() ? std::nullopt : std::optional(found->second);
+  }
+  const std::vector<Json>& all() const { return keys_; }
+
+ private:
+  std::vector<Json> keys_;
+  std::map<std::string, std::size_t> by_key_;
+};
+
+/// Names of parameters that not all runs have the same of, and of those that a run always goes by.
+std::set<std::string> names_in_titles(const RunIndex& before, const RunIndex& after) {
+  std::map<std::string, std::set<std::string>> values;
+  for (const RunIndex* index : {&before, &after})
+    for (const Json& parameters : index->all())
+      for (const auto& [name, value] : parameters.items()) values[name].insert(value.dump());
+  std::set<std::string> names = kAlwaysNamed;
+  for (const auto& [name, different] : values)
+    if (different.size() > 1) names.insert(name);
+  return names;
+}
+
+}  // namespace
+
+bool Comparison::same() const {
+  const auto within = [](const RunChanges& run) {
+    return std::all_of(run.changes.begin(), run.changes.end(),
+                       [](const Change& change) { return change.within_tolerance; });
+  };
+  return only_before.empty() && only_after.empty() && std::all_of(runs.begin(), runs.end(), within);
+}
+
+Comparison compare(const NamedReport& before, const NamedReport& after,
+                   const CompareOptions& options) {
+  const RunIndex old(before, options.ignored);
+  const RunIndex now(after, options.ignored);
+  const std::set<std::string> titled = names_in_titles(old, now);
+  Comparison result;
+  for (std::size_t i = 0; i < old.all().size(); ++i) {
+    const Json& parameters = old.parameters(i);
+    const auto other = now.find(parameters);
+    if (!other) {
+      result.only_before.push_back({run_title(parameters, titled), parameters});
+      continue;
+    }
+    ++result.compared;
+    auto changes =
+        changes_between(before.report.runs[i], after.report.runs[*other], options.tolerance);
+    if (!changes.empty())
+      result.runs.push_back({run_title(parameters, titled), parameters, std::move(changes)});
+  }
+  for (const Json& parameters : now.all())
+    if (!old.find(parameters))
+      result.only_after.push_back({run_title(parameters, titled), parameters});
+  return result;
+}
+
+}  // namespace lanescope

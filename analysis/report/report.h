@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// The report of an experiment: what was run, how, and every count as an integer. Tables and
+// pictures are functions of it. Ratios are kept as numerator and denominator; see
+// analysis/report/figures.h.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/configuration/configuration.h"
+#include "workloads/tessellator.h"
+
+namespace lanescope {
+
+/// Version of the JSON form; a reader refuses a newer one.
+inline constexpr int kReportVersion = 2;
+inline constexpr std::string_view kReportSchema = "lanescope-report";
+
+/// Counts of one instruction within a stage, as InstructionCounts has them.
+struct InstructionRecord {
+  std::string mnemonic;
+  std::uint64_t issued = 0;
+  std::uint64_t active = 0;
+  std::uint64_t overhead_issued = 0;
+  std::uint64_t overhead_active = 0;
+};
+
+/// What one memory instruction touched within a stage, over the executions that were observed.
+struct MemoryRecord {
+  std::string mnemonic;
+  std::uint64_t issued = 0;  ///< Executions observed.
+  std::uint64_t active = 0;  ///< Lanes on in them.
+  std::uint64_t lines = 0;   ///< Distinct lines of 64 bytes, summed over executions.
+  std::vector<std::uint64_t> lines_histogram;  ///< [W + 1] executions that touched k lines.
+  /// Lanes that stored to an element that an earlier lane of the same execution stored to.
+  std::uint64_t conflicts = 0;
+};
+
+struct StageRecord {
+  std::string name;
+  std::vector<InstructionRecord> instructions;  ///< By mnemonic.
+  std::vector<std::uint64_t> lane_active;       ///< [W] instructions issued with lane i on.
+  std::vector<std::uint64_t> histogram;         ///< [W + 1] instructions issued with k lanes on.
+  std::vector<MemoryRecord> memory;             ///< By mnemonic; see Observation.
+
+  /// Sum over the instructions; without a mnemonic.
+  InstructionRecord total() const;
+};
+
+/// A figure that the kernel counted beside instructions and lanes.
+struct CounterRecord {
+  std::string name;
+  std::string meaning;
+  std::string unit;
+  std::uint64_t value = 0;
+};
+
+/// A ratio of two counters, by name.
+struct MetricRecord {
+  std::string name;
+  std::string meaning;
+  std::string numerator;
+  std::string denominator;
+};
+
+/// A list of figures that the kernel counted: a histogram, or a course over time.
+struct SeriesRecord {
+  std::string name;
+  std::string meaning;
+  std::string index;  ///< What the place in the list is.
+  std::string unit;   ///< Of the values.
+  std::vector<std::uint64_t> values;
+};
+
+/// What was issued at one line of a kernel's source within one stage, over the packets observed.
+struct SourceLineRecord {
+  std::string file;  ///< From the root of the sources: `kernels/stages.h`.
+  std::uint32_t line = 0;
+  std::string stage;
+  std::uint64_t issued = 0;
+  std::uint64_t active = 0;    ///< Lanes charged.
+  std::uint64_t overhead = 0;  ///< Those of `issued` that the kernel marks as overhead.
+};
+
+/// Which packets memory and source lines were observed in (Configuration::observe_every).
+struct Observation {
+  std::uint64_t packets = 0;
+  std::uint64_t packets_observed = 0;
+};
+
+/// One run of one kernel at one width on one scene.
+struct RunRecord {
+  Configuration configuration;
+  bool thesis_like = false;      ///< The scene is one of those that the thesis's tables average.
+  std::uint64_t scene_hash = 0;  ///< Of all packets; equal for equal geometry.
+  TessellationCounts tessellation;
+  std::vector<StageRecord> stages;  ///< Empty if the mode counts nothing.
+  std::vector<CounterRecord> counters;
+  std::vector<MetricRecord> metrics;
+  std::vector<SeriesRecord> series;
+  Observation observation;
+  std::vector<SourceLineRecord> source_lines;  ///< By file, line and stage.
+  std::uint64_t hits_hash = 0;
+  std::uint64_t frame_hash = 0;
+  std::uint64_t samples_covered = 0;
+
+  /// The stage of that name, or null.
+  const StageRecord* stage(std::string_view name) const;
+  /// The value of that counter, if the kernel counts it.
+  std::optional<std::uint64_t> counter(std::string_view name) const;
+  /// The list of that name, or null.
+  const SeriesRecord* find_series(std::string_view name) const;
+};
+
+/// An instruction as the dictionary of the report explains it.
+struct InstructionEntry {
+  std::string mnemonic;
+  std::string meaning;
+  std::string instruction_class;
+  std::string charge;
+};
+
+/// What depends on the clock and the host; comparisons of reports leave it out.
+struct Timing {
+  double wall_ms = 0.0;
+  int threads = 1;
+  std::string host;
+  std::string compiler;
+  std::vector<double> kernel_ms;        ///< [runs] time within the kernel, summed over threads.
+  double dicing_ms = 0.0;               ///< Splitting and dicing, summed over threads.
+  double observation_ms = 0.0;          ///< Observing memory and source lines, summed over threads.
+  std::uint64_t peak_memory_bytes = 0;  ///< Largest resident set of the process.
+};
+
+struct Report {
+  std::string program_version;
+  std::string commit;  ///< Of the program's sources; empty if not known.
+  /// The command that makes the same report; options that cannot change it are left out.
+  std::string command;
+  std::vector<InstructionEntry> instructions;  ///< Those issued in some run, by mnemonic.
+  std::vector<RunRecord> runs;
+  Timing timing;
+};
+
+/// A report and what messages call it: its file.
+struct NamedReport {
+  std::string name;
+  Report report;
+};
+
+}  // namespace lanescope

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/sweep/sweep.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <limits>
+#include <numeric>
+
+#include "analysis/base/build_info.h"
+#include "analysis/experiment/experiment.h"
+#include "analysis/report/merge.h"
+#include "simulator/base/error.h"
+
+namespace lanescope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Indices = std::vector<std::size_t>;
+
+/// Groups by tessellation alone, so that shards do not depend on how much memory a machine has.
+constexpr GroupLimits kNoLimits{std::numeric_limits<std::int64_t>::max()};
+
+std::vector<Configuration> select(const std::vector<Configuration>& cells, const Indices& indices) {
+  std::vector<Configuration> selected;
+  for (const std::size_t index : indices) selected.push_back(cells[index]);
+  return selected;
+}
+
+double expected_work(const std::vector<Configuration>& cells) {
+  double sum = 0.0;
+  for (const Configuration& cell : cells) sum += lanescope::expected_work(cell);
+  return sum;
+}
+
+/// One start of a sweep.
+class Sweep {
+ public:
+  Sweep(const std::vector<Configuration>& cells, const SweepDirectory& directory,
+        const SweepOptions& options)
+      : directory_(directory), options_(options) {
+    for (const Configuration& cell : cells)
+      if (!directory.find(cell)) left_.push_back(cell);
+    summary_.cells = cells.size();
+    summary_.skipped = cells.size() - left_.size();
+    summary_.threads = options.threads;
+    work_ = expected_work(left_);
+  }
+
+  SweepSummary run() {
+    const Clock::time_point start = Clock::now();
+    for (const Indices& group : group_by_tessellation(left_, options_.group_limits))
+      run_group(select(left_, group));
+    summary_.wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    summary_.peak_memory_bytes = peak_memory_bytes();
+    return summary_;
+  }
+
+ private:
+  /// Runs cells together. If that fails, each one by itself, so that only the guilty one fails.
+  void run_group(const std::vector<Configuration>& group) {
+    std::string error;
+    if (const auto report = try_run(group, error)) {
+      keep(group, *report);
+    } else if (group.size() == 1) {
+      directory_.keep_failure(group.front(), error);
+      ++summary_.failed;
+    } else {
+      for (const Configuration& cell : group) run_group({cell});
+      return;
+    }
+    work_done_ += expected_work(group);
+    tell(0.0);
+  }
+
+  std::optional<Report> try_run(const std::vector<Configuration>& group, std::string& error) {
+    ExperimentOptions options;
+    options.threads = options_.threads;
+    options.group_limits = options_.group_limits;
+    options.frames = &frames_;
+    options.progress = [&](double fraction) { tell(fraction * expected_work(group)); };
+    try {
+      return run_experiment(group, options);
+    } catch (const std::exception& failure) {
+      error = failure.what();
+      return std::nullopt;
+    }
+  }
+
+  void keep(const std::vector<Configuration>& group, Report report) {
+    report.command = options_.command;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      directory_.keep(group[i], single_run(report, i));
+      ++summary_.done;
+      summary_.kernel_ms += report.timing.kernel_ms[i];
+    }
+    ++summary_.groups;
+    summary_.observation_ms += report.timing.observation_ms;
+    summary_.dicing_ms += report.timing.dicing_ms;
+    summary_.dicing_unshared_ms += report.timing.dicing_ms * static_cast<double>(group.size());
+  }
+
+  /// `work` is finished in the group that runs.
+  void tell(double work) const {
+    if (!options_.progress) return;
+    const std::size_t finished = summary_.done + summary_.failed;
+    options_.progress({summary_.done, summary_.failed, left_.size() - finished,
+                       std::min(1.0, (work_done_ + work) / work_)});
+  }
+
+  const SweepDirectory& directory_;
+  const SweepOptions& options_;
+  std::vector<Configuration> left_;
+  SweepSummary summary_;
+  FramePool frames_;
+  double work_ = 0.0;
+  double work_done_ = 0.0;
+};
+
+/// Wall time that the runs of a report would take on one thread.
+double thread_ms(const Report& report) { return report.timing.wall_ms * report.timing.threads; }
+
+/// The cell on a frame so small that it takes no time to speak of.
+Configuration made_small(Configuration cell) {
+  constexpr int kSmallWidth_px = 192;
+  TessellationOptions& t = cell.tessellation;
+  if (t.width_px <= kSmallWidth_px) return cell;
+  t.height_px = std::max(1, t.height_px * kSmallWidth_px / t.width_px);
+  t.width_px = kSmallWidth_px;
+  return cell;
+}
+
+/// A report of one group of the cells on a small frame.
+std::optional<Report> calibrate(const std::vector<Configuration>& left,
+                                const SweepOptions& options) {
+  for (const Indices& group : group_by_tessellation(left, options.group_limits)) {
+    std::vector<Configuration> small = select(left, group);
+    std::transform(small.begin(), small.end(), small.begin(), made_small);
+    ExperimentOptions experiment;
+    experiment.threads = options.threads;
+    try {
+      return run_experiment(small, experiment);
+    } catch (const std::exception&) {
+      // What cannot be run takes no time; another group may tell more.
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Configuration> shard_of(const std::vector<Configuration>& cells, int index, int count) {
+  LANESCOPE_CHECK(index >= 1 && index <= count, "shard {} of {}", index, count);
+  const auto shards = static_cast<std::size_t>(count);
+  const std::vector<Indices> groups = group_by_tessellation(cells, kNoLimits);
+  // Too few groups are cut into as many parts each as give every shard one.
+  const std::size_t parts = (shards + groups.size() - 1) / groups.size();
+  Indices mine;
+  std::size_t next = 0;
+  for (const Indices& group : groups)
+    for (std::size_t part = 0; part < parts; ++part, ++next) {
+      if (next % shards != static_cast<std::size_t>(index) - 1) continue;
+      const auto cut = [&](std::size_t at) {
+        return group.begin() + static_cast<std::ptrdiff_t>(group.size() * at / parts);
+      };
+      mine.insert(mine.end(), cut(part), cut(part + 1));
+    }
+  std::sort(mine.begin(), mine.end());
+  return select(cells, mine);
+}
+
+SweepSummary run_sweep(const std::vector<Configuration>& cells, const SweepDirectory& directory,
+                       const SweepOptions& options) {
+  return Sweep(cells, directory, options).run();
+}
+
+double expected_work(const Configuration& cell) {
+  const TessellationOptions& t = cell.tessellation;
+  return static_cast<double>(t.width_px) * t.height_px * cell.samples_per_pixel;
+}
+
+std::optional<SweepEstimate> estimate_sweep(const std::vector<Report>& done,
+                                            const std::vector<Configuration>& left,
+                                            const SweepOptions& options) {
+  std::vector<Report> measured = done;
+  if (done.empty())
+    if (std::optional<Report> report = calibrate(left, options))
+      measured.push_back(std::move(*report));
+  double ms = 0.0;
+  double work = 0.0;
+  for (const Report& report : measured) {
+    ms += thread_ms(report);
+    for (const RunRecord& run : report.runs) work += expected_work(run.configuration);
+  }
+  if (work == 0.0) return std::nullopt;
+  return SweepEstimate{ms / work * expected_work(left) / options.threads / 1000.0, !done.empty()};
+}
+
+}  // namespace lanescope

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Runs the cells of a sweep and keeps each one's report as soon as it is there.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analysis/experiment/experiment_groups.h"
+#include "analysis/sweep/sweep_directory.h"
+
+namespace lanescope {
+
+/// Cells in the shard `index` of `count`, from 1. Shards are disjoint and together all cells.
+/// Cells of one tessellation are dealt out together as long as there are enough such groups for
+/// all shards. Requires 1 <= index <= count.
+std::vector<Configuration> shard_of(const std::vector<Configuration>& cells, int index, int count);
+
+/// Where a sweep is. Cells that an earlier start has finished are not counted.
+struct SweepProgress {
+  std::size_t done = 0;
+  std::size_t failed = 0;
+  std::size_t left = 0;
+  double fraction = 0.0;  ///< Of the expected work of this start, from 0 to 1.
+};
+
+struct SweepOptions {
+  int threads = 1;
+  /// Cells of one tessellation run as a group, which is fed by one tessellation, packet by packet.
+  /// Nothing of it is stored, so that sharing costs only the memory of the group's frames. What is
+  /// lost when the process is killed is the group that runs; a limit of members makes that less,
+  /// and with a limit of 1 nothing is shared.
+  GroupLimits group_limits;
+  /// What the reports of the cells name as their command.
+  std::string command;
+  std::function<void(const SweepProgress&)> progress;
+};
+
+/// What one start of a sweep did.
+struct SweepSummary {
+  std::size_t cells = 0;    ///< All that were asked for.
+  std::size_t skipped = 0;  ///< Finished before.
+  std::size_t done = 0;
+  std::size_t failed = 0;
+  std::size_t groups = 0;  ///< Tessellations that were made for the cells done.
+  double wall_ms = 0.0;
+  int threads = 1;
+  double kernel_ms = 0.0;  ///< This and the times below are summed over threads.
+  double observation_ms = 0.0;
+  double dicing_ms = 0.0;
+  double dicing_unshared_ms = 0.0;  ///< Had each cell been diced by itself.
+  std::uint64_t peak_memory_bytes = 0;
+
+  double work_ms() const { return kernel_ms + observation_ms + dicing_ms; }
+  double work_unshared_ms() const { return work_ms() - dicing_ms + dicing_unshared_ms; }
+};
+
+/// Runs the cells whose reports are not in the directory yet. A cell that cannot be run is kept as
+/// a failure and does not stop the others. Requires that the directory is open. Throws InputError
+/// if results cannot be written.
+SweepSummary run_sweep(const std::vector<Configuration>& cells, const SweepDirectory& directory,
+                       const SweepOptions& options);
+
+/// A figure in proportion to the time that a cell takes, to weigh cells against each other.
+double expected_work(const Configuration& cell);
+
+/// How long the cells that are left will take, and how that is known.
+struct SweepEstimate {
+  double seconds = 0.0;
+  bool from_finished_cells = false;  ///< Otherwise from a brief run of one group on a small frame.
+};
+
+/// Estimates from the times of the cells that are done, or, if there are none, from a brief run of
+/// `left`, of which nothing is kept. None if that fails.
+std::optional<SweepEstimate> estimate_sweep(const std::vector<Report>& done,
+                                            const std::vector<Configuration>& left,
+                                            const SweepOptions& options);
+
+}  // namespace lanescope

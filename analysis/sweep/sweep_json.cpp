@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/sweep/sweep_json.h"
+
+#include "analysis/base/json_text.h"
+
+namespace lanescope {
+namespace {
+
+constexpr int kSummaryVersion = 1;
+constexpr std::string_view kSummarySchema = "lanescope-sweep-summary";
+
+}  // namespace
+
+std::string summary_text(const SweepSummary& s) {
+  return json_text({{"schema", {{"name", kSummarySchema}, {"version", kSummaryVersion}}},
+                    {"cells", s.cells},
+                    {"skipped", s.skipped},
+                    {"done", s.done},
+                    {"failed", s.failed},
+                    {"groups", s.groups},
+                    {"wall_ms", json_ms(s.wall_ms)},
+                    {"threads", s.threads},
+                    {"kernel_ms", json_ms(s.kernel_ms)},
+                    {"observation_ms", json_ms(s.observation_ms)},
+                    {"dicing_ms", json_ms(s.dicing_ms)},
+                    {"dicing_unshared_ms", json_ms(s.dicing_unshared_ms)},
+                    {"work_ms", json_ms(s.work_ms())},
+                    {"work_unshared_ms", json_ms(s.work_unshared_ms())},
+                    {"peak_memory_bytes", s.peak_memory_bytes}});
+}
+
+}  // namespace lanescope

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// The contract of a table: a name, a sentence, and a pure function of a report. Tables are data;
+// formats (analysis/formats/format.h) turn them into text.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/tables/report_view.h"
+
+namespace lanescope {
+
+/// How a number stands against the thesis's.
+enum class Difference {
+  kAbsolute,  ///< Ours minus theirs.
+  kRelative,  ///< In percent of theirs.
+  kBound,     ///< Theirs is an upper bound, so there is none.
+};
+
+/// What a number is and how it is shown. A value is stored unscaled: a utilization as 0.83.
+struct Unit {
+  std::string_view name;    ///< Of the stored value, for CSV.
+  double scale;             ///< Shown value over stored value.
+  std::string_view suffix;  ///< After the shown value.
+  int decimals;
+  int thesis_decimals;  ///< As the thesis prints it; a difference is of numbers rounded so.
+  Difference difference;
+};
+
+inline constexpr Unit kPercent{"fraction", 100.0, "%", 1, 0, Difference::kAbsolute};
+inline constexpr Unit kSmallPercent{"fraction", 100.0, "%", 3, 0, Difference::kBound};
+inline constexpr Unit kShare{"fraction", 1.0, "", 2, 2, Difference::kAbsolute};
+inline constexpr Unit kInstructions{"instructions/micropolygon", 1.0, "", 2, 2,
+                                    Difference::kRelative};
+inline constexpr Unit kRoundInstructions{"instructions/micropolygon", 1.0, "", 1, 1,
+                                         Difference::kRelative};
+inline constexpr Unit kCount{"count", 1.0, "", 0, 0, Difference::kAbsolute};
+inline constexpr Unit kMillions{"count", 1e-6, " M", 2, 2, Difference::kRelative};
+inline constexpr Unit kWidths{"W", 1.0, " W", 2, 1, Difference::kAbsolute};
+inline constexpr Unit kFactor{"factor", 1.0, "x", 2, 1, Difference::kAbsolute};
+inline constexpr Unit kPoints{"points", 1.0, "", 2, 2, Difference::kAbsolute};
+inline constexpr Unit kMeasure{"ratio", 1.0, "", 4, 4, Difference::kAbsolute};
+
+/// A number of ours, and the thesis's where it has one.
+struct Figure {
+  std::optional<double> ours;
+  std::optional<double> thesis;
+  const Unit* unit = &kCount;
+};
+
+/// A place in a table: a figure, with a share in parentheses perhaps; or words; or nothing.
+struct Cell {
+  std::optional<Figure> figure;
+  std::optional<Figure> share;
+  std::string words;
+};
+
+/// Cells for the columns of the table, or none: the row is then a heading over those below it.
+struct Row {
+  std::string label;
+  std::vector<Cell> cells;
+};
+
+struct TableData {
+  std::string name;     ///< Of the table's descriptor.
+  std::string caption;  ///< What the figures are of: the scenes, as ReportView::caption has them.
+  std::string title;
+  std::string row_header;
+  std::vector<std::string> columns;
+  std::vector<Row> rows;
+  std::vector<std::string> notes;  ///< Sentences that define or qualify, shown below.
+};
+
+/// The descriptor; analysis/tables/<name>.cpp ends in one, and the registry lists them.
+struct Table {
+  std::string_view name;
+  std::string_view summary;
+  /// Leaves `name` to build_table, and `caption` too unless it is not that of the view.
+  TableData (*build)(const ReportView& view);
+};
+
+/// Every table, in the order of analysis/tables/CMakeLists.txt.
+const std::vector<const Table*>& tables();
+
+TableData build_table(const Table& table, const ReportView& view);
+
+/// The shown form of a figure's own number: `83.4%`, or `n/a`.
+std::string shown(const Figure& figure);
+/// The shown form of a whole cell, without the thesis's number: `83.4% (0.68)`.
+std::string shown(const Cell& cell);
+/// The thesis's number as the thesis prints it, or empty; `<1%` for a bound.
+std::string shown_thesis(const Figure& figure);
+/// The difference with its sign, in the last digit that the thesis prints, or in percent; empty
+/// where either number is missing.
+std::string shown_difference(const Figure& figure);
+/// Ours minus the thesis's, both scaled, and rounded as the thesis rounds.
+std::optional<double> rounded_difference(const Figure& figure);
+
+}  // namespace lanescope
