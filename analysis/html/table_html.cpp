@@ -9,11 +9,17 @@
 namespace lanescope {
 namespace {
 
+/// The class attribute of a column's cells, or of its heading.
+std::string class_of(const WordGrid::Column& column, bool heading) {
+  if (column.words) return " class=\"words\"";
+  return heading && column.starts_group ? " class=\"group\"" : "";
+}
+
 std::string header_row(const TableData& data, const WordGrid& grid) {
   std::string text = fmt::format("<tr><th scope=\"col\">{}</th>", html_escaped(data.row_header));
   for (const WordGrid::Column& column : grid.columns)
-    text += fmt::format("<th scope=\"col\"{}>{}</th>",
-                        column.starts_group ? " class=\"group\"" : "", html_escaped(column.header));
+    text += fmt::format("<th scope=\"col\"{}>{}</th>", class_of(column, true),
+                        html_escaped(column.header));
   return text + "</tr>\n";
 }
 
@@ -24,7 +30,7 @@ std::string body_row(const WordGrid& grid, const WordGrid::Line& line) {
                        grid.columns.size() + 1, label);
   std::string text = fmt::format("<tr><th scope=\"row\">{}</th>", label);
   for (std::size_t i = 0; i < grid.columns.size(); ++i)
-    text += fmt::format("<td{}>{}</td>", grid.columns[i].words ? " class=\"words\"" : "",
+    text += fmt::format("<td{}>{}</td>", class_of(grid.columns[i], false),
                         i < line.cells.size() ? html_escaped(line.cells[i]) : "");
   return text + "</tr>\n";
 }
