@@ -36,7 +36,7 @@ struct Configuration {
   bool jitter = true;
   std::uint64_t seed = 1;  ///< Of the jitter.
   /// Memory and source lines are observed in every so many packets; 0 in none, 1 in all.
-  int observe_every = 64;
+  int observe_every = 16;
 
   Micropolygon shape() const { return options.shape; }
   bool is_mesh() const { return mesh_patches.has_value(); }
