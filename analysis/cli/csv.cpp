@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "analysis/cli/command.h"
+#include "analysis/cli/input.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/values.h"
-#include "analysis/report/report_json.h"
 #include "analysis/report/tidy.h"
 
 namespace lanescope {
@@ -22,9 +22,7 @@ void run(const Arguments& arguments) {
   const TidyRows rows = parse_choice({"--rows", arguments.rows}, kTidyRows);
   if (arguments.reports.empty()) throw InputError("csv", "of what? Name one or more reports");
   Destination output(arguments.output);
-  std::vector<NamedReport> reports;
-  for (const std::string& path : arguments.reports) reports.push_back({path, read_report(path)});
-  const TidyTable table = tidy(reports, rows);
+  const TidyTable table = tidy(read_reports(arguments.reports), rows);
   if (table.rows.empty())
     throw InputError("--rows", "there are no {} in these reports; use runs", arguments.rows);
   output.write(tidy_csv(table));

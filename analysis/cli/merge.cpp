@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "analysis/cli/command.h"
+#include "analysis/cli/input.h"
 #include "analysis/cli/output.h"
 #include "analysis/report/report_json.h"
 #include "analysis/sweep/sweep_directory.h"
@@ -50,9 +51,7 @@ void merge(const CLI::App& app, const Arguments& arguments) {
     files.insert(files.end(), more.begin(), more.end());
   }
   Destination output(arguments.output);
-  std::vector<NamedReport> reports;
-  for (const std::string& file : files) reports.push_back({file, read_report(file)});
-  Report merged = merge_reports(reports);
+  Report merged = merge_reports(read_reports(files));
   merged.command = command_of(app);
   output.write(report_text(merged));
 }

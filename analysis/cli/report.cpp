@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "analysis/cli/command.h"
+#include "analysis/cli/input.h"
 #include "analysis/cli/output.h"
 #include "analysis/html/page.h"
-#include "analysis/report/report_json.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {
@@ -36,9 +36,7 @@ void report(const Arguments& arguments) {
   if (arguments.output.empty()) throw InputError("--output", "is missing; name an HTML file");
   const std::string frames = frames_directory(arguments);
   Destination page(arguments.output);
-  std::vector<NamedReport> sources;
-  for (const std::string& file : arguments.files) sources.push_back({file, read_report(file)});
-  page.write(report_page(sources, frames));
+  page.write(report_page(read_reports(arguments.files), frames));
 }
 
 Action declare(CLI::App& app) {

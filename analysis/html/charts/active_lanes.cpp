@@ -9,7 +9,7 @@ const std::vector<std::uint64_t>& histogram(const StageRecord& stage) { return s
 std::vector<Block> build(const ReportView& view) {
   return lane_chart(view, {"Share of the instructions of each stage that were issued with exactly "
                            "so many lanes on, in one scene.",
-                           "Lanes on", "Instructions", histogram});
+                           "Lanes on", histogram});
 }
 
 }  // namespace

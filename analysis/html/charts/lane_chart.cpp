@@ -7,11 +7,13 @@
 namespace lanescope {
 namespace {
 
+constexpr const char* kShareTitle = "Instructions";
+
 DataFrame rows(const Report& report, const LaneChart& chart) {
   DataFrame frame(series_columns({{"scene", "Scene", ""},
                                   {"stage", "Stage", ""},
                                   {"place", chart.place_title, ""},
-                                  {"share", chart.share_title, ".2%"}}));
+                                  {"share", kShareTitle, ".2%"}}));
   for (const RunRecord& run : report.runs) {
     const Configuration& c = run.configuration;
     for (const StageRecord& stage : run.stages) {
@@ -53,7 +55,7 @@ std::vector<Block> lane_chart(const ReportView& view, const LaneChart& chart) {
   auto spec = spec_from(kSpec, report);
   auto& encoding = spec["spec"]["encoding"];
   encoding["x"]["title"] = chart.place_title;
-  encoding["y"]["title"] = chart.share_title;
+  encoding["y"]["title"] = kShareTitle;
   encoding["color"]["legend"] = nullptr;  // The headings say it.
   spec["params"] = {choice("pick_scene", "Scene", scenes_of(report), view.scenes().front()),
                     choice_of_shape(report), choice_of_lanes(report)};

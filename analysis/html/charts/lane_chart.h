@@ -16,7 +16,6 @@ namespace lanescope {
 struct LaneChart {
   std::string caption;
   std::string place_title;  ///< What the place in the list is.
-  std::string share_title;
   const std::vector<std::uint64_t>& (*counts)(const StageRecord& stage);
 };
 

@@ -11,7 +11,7 @@ const std::vector<std::uint64_t>& lane_active(const StageRecord& stage) {
 std::vector<Block> build(const ReportView& view) {
   return lane_chart(view, {"Share of the instructions of each stage that were issued with the lane "
                            "on, in one scene.",
-                           "Lane", "Instructions", lane_active});
+                           "Lane", lane_active});
 }
 
 }  // namespace
