@@ -10,8 +10,8 @@
 
 #include "benchmarks/w1.h"
 #include "kernels/kernel.h"
-#include "workloads/scene.h"
-#include "workloads/tessellator.h"
+#include "workloads/micropolygons/scene.h"
+#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
 namespace {

@@ -9,12 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "kernels/frame.h"
+#include "kernels/micropolygons/frame.h"
 #include "simulator/base/random.h"
 #include "simulator/counts.h"
 #include "simulator/mode.h"
 #include "simulator/observer.h"
-#include "workloads/micropolygon.h"
+#include "workloads/micropolygons/micropolygon.h"
 
 namespace lanescope {
 

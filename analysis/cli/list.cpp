@@ -12,7 +12,7 @@
 #include "analysis/tables/table.h"
 #include "kernels/kernel.h"
 #include "simulator/instruction_set.h"
-#include "workloads/scene.h"
+#include "workloads/micropolygons/scene.h"
 
 namespace lanescope {
 namespace {

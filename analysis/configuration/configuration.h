@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "kernels/kernel.h"
-#include "workloads/mesh.h"
-#include "workloads/sample_grid.h"
-#include "workloads/tessellator.h"
+#include "workloads/geometry/mesh.h"
+#include "workloads/micropolygons/sample_grid.h"
+#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
 

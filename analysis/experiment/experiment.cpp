@@ -14,7 +14,7 @@
 #include "analysis/experiment/packet_hash.h"
 #include "analysis/experiment/scene_source.h"
 #include "simulator/base/error.h"
-#include "workloads/tessellator.h"
+#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
 namespace {

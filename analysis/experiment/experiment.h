@@ -10,7 +10,7 @@
 #include "analysis/experiment/frame_pool.h"
 #include "analysis/pictures/image.h"
 #include "analysis/report/report.h"
-#include "kernels/frame.h"
+#include "kernels/micropolygons/frame.h"
 
 namespace lanescope {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/configuration/configuration.h"
-#include "kernels/frame.h"
+#include "kernels/micropolygons/frame.h"
 
 namespace lanescope {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "workloads/micropolygon.h"
+#include "workloads/micropolygons/micropolygon.h"
 
 namespace lanescope {
 

@@ -9,7 +9,7 @@
 #include "analysis/base/parallel.h"
 #include "analysis/experiment/scene_source.h"
 #include "analysis/pictures/palette.h"
-#include "workloads/tessellator.h"
+#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
 

@@ -12,7 +12,7 @@
 
 #include "analysis/configuration/configuration.h"
 #include "analysis/pictures/image.h"
-#include "kernels/rastmp.h"
+#include "kernels/micropolygons/rastmp.h"
 
 namespace lanescope {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "analysis/configuration/configuration.h"
-#include "workloads/scene.h"
+#include "workloads/micropolygons/scene.h"
 
 namespace lanescope {
 

@@ -9,7 +9,7 @@
 #include "analysis/configuration/configuration_json.h"
 #include "analysis/report/report_json.h"
 #include "simulator/base/error.h"
-#include "workloads/scene.h"
+#include "workloads/micropolygons/scene.h"
 
 namespace lanescope {
 namespace {

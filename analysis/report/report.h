@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "analysis/configuration/configuration.h"
-#include "workloads/tessellator.h"
+#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
 
@@ -77,7 +77,7 @@ struct SeriesRecord {
 
 /// What was issued at one line of a kernel's source within one stage, over the packets observed.
 struct SourceLineRecord {
-  std::string file;  ///< From the root of the sources: `kernels/stages.h`.
+  std::string file;  ///< From the root of the sources: `kernels/micropolygons/stages.h`.
   std::uint32_t line = 0;
   std::string stage;
   std::uint64_t issued = 0;

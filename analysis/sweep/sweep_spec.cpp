@@ -9,7 +9,7 @@
 #include "analysis/configuration/configuration_json.h"
 #include "analysis/configuration/configuration_limits.h"
 #include "kernels/kernel.h"
-#include "workloads/scene.h"
+#include "workloads/micropolygons/scene.h"
 
 namespace lanescope {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "workloads/micropolygon.h"
+#include "workloads/micropolygons/micropolygon.h"
 
 namespace lanescope {
 

@@ -6,7 +6,7 @@
 
 #include "analysis/experiment/scene_source.h"
 #include "simulator/base/error.h"
-#include "workloads/tessellator.h"
+#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
 namespace {

@@ -2,13 +2,14 @@
 # lanescope_registry(TARGET function DESCRIPTOR_TYPE header prefix names...)
 #
 # Makes <name>.cpp of the current folder part of TARGET, and generates the function that lists their
-# descriptors `<prefix><name>` in the order given. A generated table works with static libraries;
+# descriptors `<prefix><name>` in the order given; a name may have a folder before it. A generated table works with static libraries;
 # self-registering globals would be dropped by the linker.
 function(lanescope_registry target function type header prefix)
   set(declarations "")
   set(rows "")
   foreach(name IN LISTS ARGN)
     target_sources(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp)
+    cmake_path(GET name FILENAME name)
     string(APPEND declarations "extern const ${type} ${prefix}${name};\n")
     string(APPEND rows "      &${prefix}${name},\n")
   endforeach()

@@ -21,11 +21,11 @@ RunRecord run_of(const char* scene, int width, std::vector<SourceLineRecord> lin
 Report two_scenes() {
   Report report;
   report.runs.push_back(run_of("one", 8,
-                               {{"kernels/stages.h", 60, "Setup", 10, 80, 0},
-                                {"kernels/stages.h", 60, "Bound", 10, 40, 5},
-                                {"kernels/stages.h", 61, "Test", 30, 60, 0}}));
-  report.runs.push_back(run_of("other", 8, {{"kernels/stages.h", 60, "Setup", 50, 400, 0}}));
-  report.runs.push_back(run_of("one", 16, {{"kernels/stages.h", 61, "Test", 1, 16, 0}}));
+                               {{"kernels/micropolygons/stages.h", 60, "Setup", 10, 80, 0},
+                                {"kernels/micropolygons/stages.h", 60, "Bound", 10, 40, 5},
+                                {"kernels/micropolygons/stages.h", 61, "Test", 30, 60, 0}}));
+  report.runs.push_back(run_of("other", 8, {{"kernels/micropolygons/stages.h", 60, "Setup", 50, 400, 0}}));
+  report.runs.push_back(run_of("one", 16, {{"kernels/micropolygons/stages.h", 61, "Test", 1, 16, 0}}));
   report.runs.push_back(run_of("unobserved", 32, {}));
   return report;
 }
@@ -53,8 +53,8 @@ TEST(Annotate, ShowsTheTextOfTheLine) {
   const Annotation a = annotate(two_scenes()).front();
   const TableData table = hottest_lines(a, 1);
   ASSERT_EQ(table.rows.size(), 1u);
-  EXPECT_EQ(table.rows[0].label, "kernels/stages.h:60");
-  const std::string source(source_line("kernels/stages.h", 60));
+  EXPECT_EQ(table.rows[0].label, "kernels/micropolygons/stages.h:60");
+  const std::string source(source_line("kernels/micropolygons/stages.h", 60));
   EXPECT_NE(source, "");
   EXPECT_NE(source.find(table.rows[0].cells.back().words), source.npos);
   EXPECT_EQ(hottest_lines(a, 10).rows.size(), 2u);
@@ -64,12 +64,12 @@ TEST(Annotate, PutsTheFiguresInTheMarginOfTheSource) {
   const std::string text = annotated_source(annotate(two_scenes()).front());
   EXPECT_NE(text.find("  70.0%   92.9%           70   60 | "), text.npos) << text.substr(0, 6000);
   EXPECT_NE(text.find("  30.0%   25.0%           30   61 | "), text.npos);
-  EXPECT_EQ(text.find("kernels/repack.h"), text.npos) << "nothing was issued there";
+  EXPECT_EQ(text.find("kernels/micropolygons/repack.h"), text.npos) << "nothing was issued there";
 }
 
 TEST(Sources, HaveEveryLine) {
-  EXPECT_EQ(source_line("kernels/stages.h", 1), "// SPDX-License-Identifier: MIT");
-  EXPECT_EQ(source_line("kernels/stages.h", 100000), "");
+  EXPECT_EQ(source_line("kernels/micropolygons/stages.h", 1), "// SPDX-License-Identifier: MIT");
+  EXPECT_EQ(source_line("kernels/micropolygons/stages.h", 100000), "");
   EXPECT_EQ(source_line("kernels/nothing.h", 1), "");
 }
 

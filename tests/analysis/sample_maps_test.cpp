@@ -11,7 +11,7 @@
 #include "analysis/experiment/experiment.h"
 #include "analysis/pictures/heat_map.h"
 #include "analysis/pictures/palette.h"
-#include "kernels/counters.h"
+#include "kernels/micropolygons/counters.h"
 
 namespace lanescope {
 namespace {

@@ -10,7 +10,7 @@
 #include "analysis/base/json_cursor.h"
 #include "analysis/configuration/configuration_json.h"
 #include "analysis/report/report_json.h"
-#include "workloads/scene.h"
+#include "workloads/micropolygons/scene.h"
 
 namespace lanescope {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/kernels/runs.h"
-#include "workloads/scene.h"
-#include "workloads/tessellator.h"
+#include "workloads/micropolygons/scene.h"
+#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shared edges are covered exactly once: meshes without gaps, whose every sample must be hit once.
-#include "kernels/fill_rule.h"
+#include "kernels/micropolygons/fill_rule.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kernels/frame.h"
+#include "kernels/micropolygons/frame.h"
 
 #include <gtest/gtest.h>
 

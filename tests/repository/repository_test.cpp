@@ -59,7 +59,7 @@ TEST(Layering, IncludesRunOneWay) {
       {"simulator", {"simulator/"}},
       {"workloads", {"workloads/", "simulator/base/"}},
       {"kernels",
-       {"kernels/", "simulator/", "workloads/micropolygon.h", "workloads/sample_grid.h"}},
+       {"kernels/", "simulator/", "workloads/micropolygons/micropolygon.h", "workloads/micropolygons/sample_grid.h"}},
       {"analysis", {"analysis/", "kernels/", "workloads/", "simulator/"}},
   };
   for (const auto& [folder, prefixes] : allowed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workloads/bezier.h"
+#include "workloads/geometry/bezier.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workloads/camera.h"
+#include "workloads/geometry/camera.h"
 
 #include <gtest/gtest.h>
 

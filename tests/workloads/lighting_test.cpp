@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "workloads/lighting.h"
+#include "workloads/geometry/lighting.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/workloads/tessellation.h"
-#include "workloads/parametric_surface.h"
+#include "workloads/geometry/parametric_surface.h"
 
 namespace lanescope {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workloads/mesh.h"
+#include "workloads/geometry/mesh.h"
 
 #include <gtest/gtest.h>
 

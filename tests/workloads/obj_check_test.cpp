@@ -5,7 +5,7 @@
 #include <string>
 
 #include "simulator/base/error.h"
-#include "workloads/mesh.h"
+#include "workloads/geometry/mesh.h"
 
 namespace lanescope {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "simulator/base/error.h"
-#include "workloads/micropolygon.h"
+#include "workloads/micropolygons/micropolygon.h"
 
 namespace lanescope {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workloads/sample_grid.h"
+#include "workloads/micropolygons/sample_grid.h"
 
 #include <gtest/gtest.h>
 

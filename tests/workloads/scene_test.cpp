@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workloads/scene.h"
+#include "workloads/micropolygons/scene.h"
 
 #include <gtest/gtest.h>
 

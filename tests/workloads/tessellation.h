@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "workloads/tessellator.h"
+#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope::test {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tests/workloads/tessellation.h"
-#include "workloads/parametric_surface.h"
+#include "workloads/geometry/parametric_surface.h"
 
 namespace lanescope {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workloads/tessellator.h"
+#include "workloads/micropolygons/tessellator.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "workloads/vector.h"
+#include "workloads/geometry/vector.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "simulator/base/random.h"
-#include "workloads/noise.h"
-#include "workloads/shapes.h"
+#include "workloads/geometry/noise.h"
+#include "workloads/geometry/shapes.h"
 
 namespace lanescope {
 namespace {

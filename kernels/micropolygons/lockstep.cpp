@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "kernels/micropolygons/counters.h"
+#include "kernels/kernel.h"
+#include "kernels/widths.h"
+
+namespace lanescope {
+namespace {
+
+constexpr std::string_view kStages[] = {"Setup", "Bound", "Test", "Process"};
+
+}  // namespace
+
+extern const Kernel k_lockstep;
+const Kernel k_lockstep{
+    .name = "lockstep",
+    .summary = "W micropolygons in lockstep, one in each lane (the thesis, 3.2.1)",
+    .stages = kStages,
+    .counters = std::span(kRasterizerCounters).first<kConflictHits + 1>(),
+    .metrics = std::span(kRasterizerMetrics).first<3>(),
+    .series = {},
+    .widths = kBuiltWidths,
+    .start = start_lockstep,
+};
+
+}  // namespace lanescope

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// LOCKSTEP (the thesis, 3.2.1, figure 3.3): W micropolygons at a time, one in each lane; every lane
+// tests its i-th candidate in iteration i, until the largest box is done.
+#pragma once
+
+#include "kernels/micropolygons/vector_kernel.h"
+
+namespace lanescope {
+
+template <class Vm, Micropolygon P, Edges E>
+class Lockstep {
+ public:
+  enum Stage : std::size_t { kSetup, kBound, kTest, kProcess };
+  static constexpr std::size_t kStageCount = kProcess + 1;
+  static constexpr std::size_t kCounterCount = kConflictHits + 1;
+
+  Lockstep(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts, HitSink& sink)
+      : vm_(vm), cells_(options.frame->grid()), counts_(counts), sink_(sink) {}
+
+  void rasterize(const PacketMemory<P>& packet, int size, std::uint64_t first_id) {
+    auto setup = vm_.site(kSetup);
+    auto bounding = vm_.site(kBound);
+    auto testing = vm_.site(kTest);
+    auto ruling = vm_.site(kTest);
+    auto processing = vm_.site(kProcess);
+
+    for (int first = 0; first < size; first += Vm::kWidth) {
+      const auto valid = Lanes::first_n(size - first);
+      vm_.begin_batch();
+      const auto batch = set_up<Vm, P>(setup, packet, first, valid);
+      if constexpr (kCounted) count_batch(counts_, batch, valid);
+      if (!batch.any_alive) continue;
+
+      const Bounded bounded = bound_batch(bounding, batch, packet, first);
+      if constexpr (kCounted) count_boxes(counts_, bounded.box, batch.alive);
+      for (std::size_t i = 0; i < Vm::kWidth; ++i)
+        sink_.ids[i] = first_id + static_cast<std::uint64_t>(first) + i;
+
+      Cursor<Vm> at{bounded.box.first_column, bounded.box.first_row, bounded.box.first_sample};
+      Lanes active = bounded.with_candidates;
+      for (std::int32_t i = 1; i <= bounded.most_candidates; ++i) {
+        const auto sample = at.sample;
+        EdgeValues<Vm, P> values;
+        Coverage<Vm> coverage;
+        Lanes unfinished;
+        {
+          auto on = testing.on(active);
+          const auto [px, py] = place_sample<Vm>(on, at.column, at.row, at.sample, cells_);
+          values = edge_values(on, batch.positions, bounded, px, py);
+          coverage = point_in_polygon<Vm, P>(on, values);
+          at = advance<Vm>(on, at, bounded.box.first_column, bounded.box.last_column,
+                           bounded.box.row_step);
+          unfinished = cmp_gt(on, bounded.box.candidates, i);
+        }
+        if (coverage.any_on_edge) [[unlikely]]
+          add_owned_samples<Vm, P>(ruling, coverage, batch.positions, values);
+        if (coverage.any_inside) process(processing, coverage.inside, bounded, values, sample);
+        active = unfinished;
+      }
+    }
+  }
+
+ private:
+  using Float = typename Vm::Float;
+  using Lanes = typename Vm::Lanes;
+  static constexpr bool kCounted = Vm::kMode != Mode::kUncounted;
+
+  /// What stays in registers from *Bound* on.
+  struct Bounded {
+    Box<Vm> box;
+    Lanes with_candidates;
+    std::int32_t most_candidates;
+    Float inverse_area;              ///< Triangles.
+    EdgeEquations<Vm, P> equations;  ///< Edges::kPrecomputed.
+    Float shades[kCorners<P>][kShades];
+  };
+
+  template <class BoundSite>
+  LANESCOPE_INLINE Bounded bound_batch(BoundSite& site, const Batch<Vm, P>& batch,
+                                       const PacketMemory<P>& packet, std::int64_t first) {
+    Bounded bounded;
+    auto on = site.on(batch.alive);
+    bounded.box = bound<Vm, P>(on, batch.positions, cells_);
+    bounded.most_candidates = hmax(on, bounded.box.candidates);
+    bounded.with_candidates = cmp_gt(on, bounded.box.candidates, 0);
+    if constexpr (E == Edges::kPrecomputed)
+      bounded.equations = edge_equations<Vm, P>(on, batch.positions, batch.area);
+    if constexpr (P == Micropolygon::kTriangle) bounded.inverse_area = rcp(on, batch.area);
+    host::unroll<kCorners<P>>([&](auto k) LANESCOPE_INLINE_LAMBDA {
+      host::unroll<kShades>([&](auto i) LANESCOPE_INLINE_LAMBDA {
+        bounded.shades[k][i] = load(on, packet.shade(k, i), first);
+      });
+    });
+    return bounded;
+  }
+
+  template <class On>
+  LANESCOPE_INLINE EdgeValues<Vm, P> edge_values(On& on, const Positions<Vm, P>& positions,
+                                                 const Bounded& bounded, const Float& px,
+                                                 const Float& py) {
+    if constexpr (E == Edges::kPrecomputed)
+      return precomputed_edges<Vm, P>(on, bounded.equations, positions.x[0], positions.y[0], px,
+                                      py);
+    else
+      return inline_edges<Vm, P>(on, positions, px, py);
+  }
+
+  template <class ProcessSite>
+  LANESCOPE_INLINE void process(ProcessSite& site, Lanes hits, const Bounded& bounded,
+                                const EdgeValues<Vm, P>& values, const typename Vm::Int& sample) {
+    auto on = site.on(hits);
+    const auto weights = corner_weights<Vm, P>(on, values, bounded.inverse_area);
+    Float shade[kShades];
+    host::unroll<kShades>([&](auto i) LANESCOPE_INLINE_LAMBDA {
+      shade[i] = interpolate(on, weights, [&](auto k) LANESCOPE_INLINE_LAMBDA -> const Float& {
+        return bounded.shades[k][i];
+      });
+    });
+    frame_merge(on, &sink_, sample, shade[0], shade[1], shade[2], shade[3], shade[4]);
+  }
+
+  Vm& vm_;
+  Cells cells_;
+  RasterizerCounts& counts_;
+  HitSink& sink_;
+};
+
+}  // namespace lanescope

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "kernels/micropolygons/counters.h"
+#include "kernels/kernel.h"
+#include "kernels/widths.h"
+
+namespace lanescope {
+namespace {
+
+constexpr std::string_view kStages[] = {"Setup", "Bound", "Test Stream-load", "Test", "Process"};
+
+}  // namespace
+
+extern const Kernel k_repack;
+const Kernel k_repack{
+    .name = "repack",
+    .summary = "work is compacted between stages to keep every lane busy (the thesis, 3.2.2)",
+    .stages = kStages,
+    .counters = kRasterizerCounters,
+    .metrics = kRasterizerMetrics,
+    .series = kWorkingSetSeries,
+    .widths = kBuiltWidths,
+    .start = start_repack,
+};
+
+}  // namespace lanescope
