@@ -91,9 +91,8 @@ Counts run_on_machine(Triangles& t) {
   const Memory<const float> xs[3] = {floats(t.x[0]), floats(t.x[1]), floats(t.x[2])};
   const Memory<const float> ys[3] = {floats(t.y[0]), floats(t.y[1]), floats(t.y[2])};
   const auto tests = read_only(t.tests.data(), size, "tests");
-  const Memory<std::uint32_t> output{t.hits.data(), static_cast<std::uint32_t>(size), "hits",
-                                     nullptr};
-  Vm vm(1);
+  const Memory<std::uint32_t> output{t.hits.data(), size, "hits", nullptr};
+  Vm vm(W, 1);
   {
     auto loading = vm.site(0);
     auto testing = vm.site(0);

@@ -40,8 +40,8 @@ int count_inside(Vm& vm, Memory<const float> xs, Memory<const float> ys, const C
   auto test = vm.site(0);
   int inside_count = 0;
   const int size = static_cast<int>(xs.size);
-  for (int first = 0; first < size; first += Vm::kWidth) {
-    auto on = test.on(Vm::Lanes::first_n(size - first));
+  for (int first = 0; first < size; first += vm.width()) {
+    auto on = test.on(vm.first_n(size - first));
     const auto px = isa::load(on, xs, first);
     const auto py = isa::load(on, ys, first);
     typename Vm::Float x[3], y[3];
@@ -81,7 +81,7 @@ int main() {
   const auto x = lanescope::read_only(xs.data(), xs.size(), "xs");
   const auto y = lanescope::read_only(ys.data(), ys.size(), "ys");
 
-  Machine<16, Mode::kCounting> before(1), after(1);
+  Machine<16, Mode::kCounting> before(16, 1), after(16, 1);
   const int inside_before = count_inside(before, x, y, CrossInThree{});
   const int inside_after = count_inside(after, x, y, cross);
   print("without cross", inside_before, before.counts());

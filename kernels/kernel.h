@@ -103,6 +103,8 @@ struct Kernel {
   std::span<const CounterInfo> counters;
   std::span<const MetricInfo> metrics;
   std::span<const SeriesInfo> series;
+  /// Those that it issues and that are not of the machine's instruction set.
+  std::span<const InstructionInfo* const> instructions;
   /// Widths the kernel can be started with, ascending.
   std::span<const int> widths;
   /// Starts an execution. Requires a width among `widths`.
@@ -120,7 +122,7 @@ const std::vector<const Kernel*>& kernels();
 /// The kernel of that name. Throws InputError, with the nearest name, if there is none.
 const Kernel& find_kernel(std::string_view name);
 
-/// Every width that the program is built for, ascending.
+/// Every width that vector programs can be started with, ascending: 1 ... the most lanes built.
 std::span<const int> built_widths();
 
 }  // namespace lanescope

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The machine. A program names a stage at a site, opens a block there under a mask, and issues
+// The fast machine. A program names a stage at a site, opens a block there under a mask, and issues
 // instructions in the block:
 //
-//   Machine<16, Mode::kCounting> vm(stage_count);
+//   Machine<16, Mode::kCounting> vm(12, stage_count);   // 16 lanes, of which a run uses 12
 //   auto test = vm.site(kTest);             // outside the loop
 //   while (...) {
 //     auto on = test.on(active);            // until the end of the scope
@@ -21,104 +21,114 @@
 
 #include <cstdint>
 #include <source_location>
-#include <type_traits>
 
 #include "simulator/base/error.h"
+#include "simulator/execute.h"
 #include "simulator/lane_counter.h"
 #include "simulator/mode.h"
-#include "simulator/observer.h"
 #include "simulator/tally.h"
-#include "simulator/vector.h"
 
 namespace lanescope {
-
-/// A vector of a checked machine: which lanes hold a value; the others are poison.
-template <class T, int W>
-struct CheckedVec {
-  using Element = T;
-  Vec<T, W> vec;
-  Mask<W> defined = Mask<W>::none();
-};
-
 namespace detail {
 
-/// Whom a site of a tracing machine tells; nothing on other machines.
-template <Mode M>
-struct Watched {
-  LANESCOPE_INLINE explicit Watched(Observer*) {}
-};
-template <>
-struct Watched<Mode::kTracing> {
-  explicit Watched(Observer* observer) : observer(observer) {}
-  Observer* observer;
-};
+/// Throws CheckError: a machine of `lanes` lanes cannot be `width` wide.
+[[noreturn, gnu::cold]] void fail_width(int width, int lanes);
+/// Throws CheckError: a site of a stage that the program does not have.
+[[noreturn, gnu::cold]] void fail_stage(std::size_t stage, std::size_t stage_count);
 
-/// A 64-bit hash of a name, for signatures.
-constexpr std::uint64_t hash_name(std::string_view name) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return hash | 1;
+inline Width checked_width(int width, int lanes) {
+  if (width < 1 || width > lanes) fail_width(width, lanes);
+  return {width};
+}
+
+/// A 64-bit hash of a number, for signatures.
+constexpr std::uint64_t hash_number(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return (x ^ (x >> 31)) | 1;
+}
+
+/// What one issue of Op adds to the signature of a block. A sum, so that it depends on what was
+/// issued and not on the order. An instruction from outside the set is known by the address of its
+/// descriptor, which no other has.
+template <class Op, bool kOverhead>
+LANESCOPE_INLINE std::uint64_t signature_of() {
+  constexpr std::size_t kIndex = kInstructionIndex<Op>;
+  constexpr std::uint64_t kKind = hash_number(2 * kIndex + kOverhead + 1);
+  if constexpr (kIndex < InstructionSet::kSize)
+    return kKind;
+  else
+    return kKind * (reinterpret_cast<std::uintptr_t>(&Op::kInfo) | 1) +
+           (reinterpret_cast<std::uintptr_t>(&Op::kInfo) >> 1);
 }
 
 // The slow paths are noexcept (out of memory ends the program): an exception's way out of the hot
 // loop would keep the counters in memory.
 
 /// What a site has counted since it last handed its counts over: executions of one list.
-template <int W>
+template <int L>
 struct SiteCounts {
-  LaneCounter<W> lanes;
-  std::uint64_t histogram[W + 1];
+  LaneCounter<L> lanes;
+  std::uint64_t histogram[L + 1];
 };
 
-template <int W>
-[[gnu::noinline, gnu::cold]] void hand_over(Tally& tally, std::size_t stage, std::size_t list,
-                                            const SiteCounts<W>& counts) noexcept {
-  const auto lanes = counts.lanes.counts();
-  tally.add(stage, list, {lanes.data(), static_cast<std::size_t>(W)}, counts.histogram);
+template <int L>
+[[gnu::noinline, gnu::cold]] void hand_over(Tally& tally, std::size_t place,
+                                            const SiteCounts<L>& counts) noexcept {
+  std::uint64_t lanes[L];
+  const auto narrow = counts.lanes.counts();
+  for (std::size_t i = 0; i < L; ++i) lanes[i] = narrow[i];
+  tally.add(place, lanes, counts.histogram);
 }
 
-[[gnu::noinline, gnu::cold]] inline std::size_t intern(Tally& tally, std::size_t stage,
-                                                       std::uint64_t signature,
-                                                       const IssueList& list) noexcept {
-  return tally.intern(stage, signature, list);
+[[gnu::noinline, gnu::cold]] inline std::size_t keep(Tally& tally, std::size_t place,
+                                                     std::size_t stage,
+                                                     const IssueList& list) noexcept {
+  return tally.keep(place, stage, list);
 }
 
-/// A block has issued more than its list can hold.
-[[noreturn, gnu::cold]] void fail_block_length(const InstructionInfo& info);
+[[gnu::noinline, gnu::cold]] inline void charge(Tally& tally, std::size_t stage, Issued issued,
+                                                std::uint64_t active) noexcept {
+  tally.charge(stage, issued, active);
+}
 
 }  // namespace detail
 
-template <int W, Mode M>
+template <int L, Mode M>
 class Block;
 
 /// A place in a program that executes blocks of one stage. Local, outside the loop.
-template <int W, Mode M>
-class Site : private detail::Watched<M> {
+template <int L, Mode M>
+class Site {
  public:
-  LANESCOPE_INLINE Site(Tally& tally, std::size_t stage, Observer* observer)
-      : detail::Watched<M>(observer), tally_(tally), stage_(stage) {}
+  LANESCOPE_INLINE Site(Tally& tally, std::size_t stage) : tally_(tally), stage_(stage) {
+    if (stage >= tally.stage_count()) detail::fail_stage(stage, tally.stage_count());
+  }
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
   LANESCOPE_INLINE ~Site() {
-    if (signature_ != 0) hand_over();
+    if (signature_ == 0) return;
+    hand_over();
+    tally_.forget(place_);
   }
 
-  /// Opens a block of instructions that run under `active`.
-  LANESCOPE_INLINE Block<W, M> on(Mask<W> active) { return Block<W, M>(*this, active); }
+  /// Opens a block of instructions that run under `active`. Requires that no lane from the
+  /// machine's width on is active.
+  LANESCOPE_INLINE Block<L, M> on(Mask<L> active) { return Block<L, M>(*this, active); }
 
  private:
-  friend class Block<W, M>;
+  friend class Block<L, M>;
 
   LANESCOPE_INLINE void hand_over() {
-    detail::SiteCounts<W> copy{lanes_.copy(), {}};
-    for (int k = 0; k <= W; ++k) copy.histogram[k] = histogram_[k];
-    detail::hand_over<W>(tally_, stage_, list_, copy);
+    detail::SiteCounts<L> copy{lanes_.copy(), {}};
+    for (int k = 0; k <= L; ++k) copy.histogram[k] = histogram_[k];
+    detail::hand_over<L>(tally_, place_, copy);
   }
 
   LANESCOPE_INLINE void restart() {
     lanes_.reset();
-    budget_ = LaneCounter<W>::kCapacity;
-    for (int k = 0; k <= W; ++k) histogram_[k] = 0;
+    budget_ = LaneCounter<L>::kCapacity;
+    for (int k = 0; k <= L; ++k) histogram_[k] = 0;
   }
 
   /// Makes room in the lanes' counters for the execution that is about to be counted.
@@ -128,7 +138,7 @@ class Site : private detail::Watched<M> {
     --budget_;
   }
 
-  LANESCOPE_INLINE void executed(Mask<W> active) {
+  LANESCOPE_INLINE void executed(Mask<L> active) {
     ++histogram_[active.count()];
     lanes_.add(active);
   }
@@ -136,84 +146,71 @@ class Site : private detail::Watched<M> {
   Tally& tally_;
   std::size_t stage_;
   std::uint64_t signature_ = 0;  ///< Of the list that is being counted; 0 is none.
-  std::size_t list_ = 0;
+  std::size_t place_ = Tally::kNoPlace;
   // Executions of the list by lane and by number of active lanes. Copied element by element: a
   // memcpy would take the site's address, and nothing of it could stay in a register.
-  LaneCounter<W> lanes_;
-  std::uint64_t histogram_[W + 1] = {};
+  LaneCounter<L> lanes_;
+  std::uint64_t histogram_[L + 1] = {};
   std::int32_t budget_ = 0;  ///< Executions until the lanes' counters are full.
 };
 
 /// Code under one mask. Instructions issued in it are charged when it ends.
-template <int W, Mode M>
+template <int L, Mode M>
 class Block {
  public:
-  static constexpr int kWidth = W;
-  static constexpr Mode kMode = M;
-
-  LANESCOPE_INLINE Block(Site<W, M>& site, Mask<W> active) : site_(site), active_(active) {}
+  LANESCOPE_INLINE Block(Site<L, M>& site, Mask<L> active) : site_(site), active_(active) {}
   Block(const Block&) = delete;
   Block& operator=(const Block&) = delete;
   LANESCOPE_INLINE ~Block() { end(); }
 
-  LANESCOPE_INLINE Mask<W> active() const { return active_; }
+  LANESCOPE_INLINE Mask<L> active() const { return active_; }
+
+  /// Charges and executes Op; see Instruction.
+  template <class Op, class... Operands>
+  LANESCOPE_INLINE auto issue(const std::source_location&, const Operands&... operands) {
+    append<Op, false>();
+    return detail::execute<Op>(active_, width(), operands...);
+  }
 
   /// The same block for instructions that the kernel's baseline does not have to execute.
   struct Overhead {
-    static constexpr int kWidth = W;
-    static constexpr Mode kMode = M;
     Block& block;
-    LANESCOPE_INLINE Mask<W> active() const { return block.active_; }
-    void tell(const InstructionInfo& info, const std::source_location& at,
-              std::span<const Touch> touches) const {
-      block.tell_observer(info, true, at, touches);
-    }
-    template <class Op>
-    LANESCOPE_INLINE void charge() {
+    LANESCOPE_INLINE Mask<L> active() const { return block.active_; }
+    template <class Op, class... Operands>
+    LANESCOPE_INLINE auto issue(const std::source_location&, const Operands&... operands) {
       block.template append<Op, true>();
+      return detail::execute<Op>(block.active_, block.width(), operands...);
     }
   };
   LANESCOPE_INLINE Overhead overhead() { return {*this}; }
 
-  template <class Op>
-  LANESCOPE_INLINE void charge() {
-    append<Op, false>();
-  }
-
-  /// Tells the observer of a tracing machine what is issued in the block.
-  void tell(const InstructionInfo& info, const std::source_location& at,
-            std::span<const Touch> touches) const {
-    tell_observer(info, false, at, touches);
-  }
-
  private:
-  void tell_observer(const InstructionInfo& info, bool overhead, const std::source_location& at,
-                     std::span<const Touch> touches) const {
-    site_.observer->issued({info, site_.stage_, W, active_.bits(), overhead, at, touches});
-  }
+  LANESCOPE_INLINE Width width() const { return {site_.tally_.width()}; }
 
   template <class Op, bool kOverhead>
   LANESCOPE_INLINE void append() {
-    if constexpr (M != Mode::kUncounted) {
+    if constexpr (M == Mode::kCounting) {
       constexpr std::size_t kIndex = kInstructionIndex<Op>;
       if constexpr (kIndex < InstructionSet::kSize) {
         constexpr int kShift = 16 * (kIndex % 4);
         std::uint64_t& word = (kOverhead ? overhead_ : baseline_)[kIndex / 4];
-        if ((word >> kShift & 0xffff) == 0xffff) detail::fail_block_length(Op::kInfo);
+        if ((word >> kShift & IssueList::kMostTimes) == IssueList::kMostTimes) [[unlikely]]
+          return detail::charge(site_.tally_, site_.stage_, {&Op::kInfo, kOverhead},
+                                active_.bits());
         word += std::uint64_t{1} << kShift;
       } else {
-        if (foreign_count_ == IssueList::kForeign) detail::fail_block_length(Op::kInfo);
+        if (foreign_count_ == IssueList::kForeign) [[unlikely]]
+          return detail::charge(site_.tally_, site_.stage_, {&Op::kInfo, kOverhead},
+                                active_.bits());
         foreign_[foreign_count_] = {&Op::kInfo, kOverhead};
         ++foreign_count_;
       }
-      constexpr std::uint64_t kHash = detail::hash_name(Op::kInfo.mnemonic) + 2 * kOverhead;
-      signature_ = (signature_ + kHash) * 0x9e3779b97f4a7c15u;
-      signature_ ^= signature_ >> 29;
+      signature_ += detail::signature_of<Op, kOverhead>();
     }
   }
 
   LANESCOPE_INLINE void end() {
-    if constexpr (M != Mode::kUncounted) {
+    if constexpr (M == Mode::kCounting) {
       if (signature_ == 0) return;
       if (site_.signature_ != signature_) [[unlikely]]
         switch_list();
@@ -235,57 +232,67 @@ class Block {
     host::unroll<IssueList::kForeign>([&](auto i) LANESCOPE_INLINE_LAMBDA {
       if (i < foreign_count_) copy.foreign[i] = foreign_[i];
     });
-    site_.list_ = detail::intern(site_.tally_, site_.stage_, signature_, copy);
+    site_.place_ = detail::keep(site_.tally_, site_.place_, site_.stage_, copy);
     site_.signature_ = signature_;
   }
 
-  Site<W, M>& site_;
-  Mask<W> active_;
+  Site<L, M>& site_;
+  Mask<L> active_;
   std::uint64_t signature_ = 0;
   // The list (see IssueList), in members of its own: an aggregate that is copied stays in memory.
   std::uint64_t baseline_[IssueList::kWords] = {};
   std::uint64_t overhead_[IssueList::kWords] = {};
-  ForeignIssue foreign_[IssueList::kForeign];
+  Issued foreign_[IssueList::kForeign];
   int foreign_count_ = 0;
 };
 
-/// A vector machine of width W. Not thread-safe; counts of several machines merge by addition.
-template <int W, Mode M>
-requires Width<W>
+/// A vector machine of L lanes, of which a run uses the first `width`; its counts are those of a
+/// machine that has just these. Not thread-safe; counts of several machines merge by addition.
+template <int L, Mode M>
+requires LaneCount<L> && (!is_slow(M))
 class Machine {
  public:
-  static constexpr int kWidth = W;
-  static constexpr Mode kMode = M;
-  static constexpr bool kCheckedMode = M == Mode::kChecked;
+  static constexpr int kLanes = L;
+  /// Whether there are counts: bookkeeping of a kernel's own can be left out where there are none.
+  static constexpr bool kCounted = M == Mode::kCounting;
 
+  using Float = Vec<float, L>;
+  using Int = Vec<std::int32_t, L>;
+  using Uint = Vec<std::uint32_t, L>;
+  using Lanes = Mask<L>;
+  using Site = lanescope::Site<L, M>;
+
+  /// Throws CheckError unless 1 <= width <= L.
+  Machine(int width, std::size_t stage_count)
+      : tally_(detail::checked_width(width, L).lanes, stage_count) {}
+
+  LANESCOPE_INLINE int width() const { return tally_.width(); }
+  /// All lanes of the width.
+  LANESCOPE_INLINE Lanes all() const { return Lanes::first_n(width()); }
+  /// The first n lanes; more than the width is all of them. Requires n >= 0.
+  LANESCOPE_INLINE Lanes first_n(int n) const { return Lanes::first_n(n < width() ? n : width()); }
+
+  /// A place that executes blocks of a stage. Throws CheckError unless stage < stage_count.
+  LANESCOPE_INLINE Site site(std::size_t stage) { return Site(tally_, stage); }
+
+  /// Marks that the program takes its next batch of work. Not an instruction.
+  LANESCOPE_INLINE void begin_batch() {}
+
+  /// Whether buffers should follow what has been written to them.
+  static constexpr bool checks() { return false; }
+
+  /// What a vector holds, for bookkeeping of the host. Not an instruction.
   template <class T>
-  using VecOf = std::conditional_t<kCheckedMode, CheckedVec<T, W>, Vec<T, W>>;
-  using Float = VecOf<float>;
-  using Int = VecOf<std::int32_t>;
-  using Uint = VecOf<std::uint32_t>;
-  using Lanes = Mask<W>;
-
-  /// A tracing machine needs an observer, which must outlive it; others have none.
-  explicit Machine(std::size_t stage_count, Observer* observer = nullptr)
-      : tally_(W, stage_count), observer_(observer) {
-    LANESCOPE_CHECK((observer != nullptr) == (M == Mode::kTracing),
-                    "a machine has an observer if and only if it is tracing");
+  LANESCOPE_INLINE static const Vec<T, L>& look(const Vec<T, L>& v) {
+    return v;
   }
 
-  /// A place that executes blocks of a stage. Requires stage < stage_count.
-  LANESCOPE_INLINE Site<W, M> site(std::size_t stage) { return Site<W, M>(tally_, stage, observer_); }
-
-  /// Marks that the program takes its next batch of W elements of work. Not an instruction.
-  LANESCOPE_INLINE void begin_batch() {
-    if constexpr (M == Mode::kTracing) observer_->batch_begins();
-  }
-
-  /// What has been counted by sites that have ended.
+  /// What has been counted by sites that have ended. Throws CheckError if two instructions have
+  /// one mnemonic, or a block ran on lanes beyond the width.
   Counts counts() const { return tally_.counts(); }
 
  private:
   Tally tally_;
-  Observer* observer_;
 };
 
 }  // namespace lanescope

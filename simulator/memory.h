@@ -14,21 +14,29 @@
 
 namespace lanescope {
 
-/// Size of a line of memory. Every Memory begins at the start of one.
+/// Size of a line of memory. Lines are counted from the first element of the Memory that an
+/// instruction addresses, wherever the host has put it, so that counts of them are reproducible.
 inline constexpr std::size_t kLineBytes = 64;
+
+/// What an instruction does to an element of memory.
+enum class Access {
+  kLoad,
+  kStore,
+  kUpdate  ///< Reads the element and stores to it; lanes do so one after another.
+};
 
 /// A view of elements in memory. `written`, where not null, has a byte for each element, 0 until it
 /// has been stored to.
 template <class T>
 struct Memory {
   T* data = nullptr;
-  std::uint32_t size = 0;
+  std::size_t size = 0;
   std::string_view name;
   std::uint8_t* written = nullptr;
 
   /// The elements begin ... begin + count - 1.
   Memory part(std::size_t begin, std::size_t count) const {
-    return {data + begin, static_cast<std::uint32_t>(count), name,
+    return {data + begin, count, name,
             written ? written + begin : nullptr};
   }
 
@@ -41,7 +49,7 @@ struct Memory {
 /// A view of memory that is wholly initialized.
 template <class T>
 Memory<const T> read_only(const T* data, std::size_t size, std::string_view name) {
-  return {data, static_cast<std::uint32_t>(size), name, nullptr};
+  return {data, size, name, nullptr};
 }
 
 /// Scratch memory of a kernel, aligned to a cache line; a checked machine follows what has been
@@ -59,7 +67,7 @@ class Buffer {
 
   /// The buffer as kernels address it.
   Memory<T> memory() {
-    return {data_.get(), static_cast<std::uint32_t>(size_), name_, written_.get()};
+    return {data_.get(), size_, name_, written_.get()};
   }
   const T* data() const { return data_.get(); }
   /// Copies `count` elements to element `begin` and on, as the host, not as an instruction.

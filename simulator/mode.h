@@ -5,13 +5,16 @@
 
 namespace lanescope {
 
-/// How a machine runs a program; one kernel source serves all of them.
+/// How a machine runs a program; one kernel source serves all of them. The fast modes are compiled
+/// for each number of lanes (Machine), the slow ones once (SlowMachine).
 enum class Mode {
-  kCounting,   ///< Counts instructions and lanes.
-  kChecked,    ///< Counts, tracks dead lanes, and checks every memory access.
-  kTracing,    ///< Counts, and shows every instruction to an Observer.
-  kUncounted,  ///< Counts nothing: the program at native speed.
+  kCounting,   ///< Fast: counts instructions and lanes.
+  kChecked,    ///< Slow: counts, tracks dead lanes, and checks every memory access.
+  kTracing,    ///< Slow: counts, and shows every instruction to an Observer.
+  kUncounted,  ///< Fast: counts nothing: the program at native speed.
 };
+
+constexpr bool is_slow(Mode mode) { return mode == Mode::kChecked || mode == Mode::kTracing; }
 
 constexpr std::string_view to_string(Mode mode) {
   switch (mode) {

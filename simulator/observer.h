@@ -7,6 +7,7 @@
 #include <span>
 
 #include "simulator/instruction.h"
+#include "simulator/memory.h"
 
 namespace lanescope {
 
@@ -15,14 +16,16 @@ struct Touch {
   int lane;
   std::uint64_t byte;   ///< Offset of the element from the start of its memory.
   std::uint32_t bytes;  ///< Size of the element.
-  bool is_store;
+  Access access;
+
+  bool stores() const { return access != Access::kLoad; }
 };
 
 /// An instruction as it is issued.
 struct IssueEvent {
   const InstructionInfo& info;
   std::size_t stage;
-  int width;             ///< Lanes of the machine.
+  int width;             ///< Of the machine.
   std::uint64_t active;  ///< Bit i: lane i is on in the block.
   bool overhead;         ///< The kernel marks it as work that its baseline does not have.
   std::source_location at;
@@ -33,12 +36,12 @@ struct IssueEvent {
   std::uint64_t charged() const;
 };
 
-/// Watches a tracing machine. Called on the thread of the machine.
+/// Watches a slow machine. Called on the thread of the machine.
 class Observer {
  public:
   virtual ~Observer() = default;
   virtual void issued(const IssueEvent& event) = 0;
-  /// The program takes its next batch of W elements of work.
+  /// The program takes its next batch of work.
   virtual void batch_begins() {}
 };
 

@@ -10,9 +10,14 @@
 
 namespace lanescope {
 
-/// Widths that a machine can have.
+/// Numbers of lanes that a machine can be built with. A run uses the first `width` of them.
 template <int W>
-concept Width = W == 1 || W == 4 || (W >= 8 && W <= 64 && W % 8 == 0);
+concept LaneCount = W == 8 || W == 16 || W == 32 || W == 64;
+
+/// How many of a machine's lanes a run uses: lanes 0 ... lanes - 1. The others are never on.
+struct Width {
+  int lanes;
+};
 
 template <int W>
 inline constexpr int kChunkLanes = host::chunk_lanes<W>();
@@ -26,7 +31,7 @@ constexpr std::uint64_t low_bits(int n) {
 
 /// Which lanes are on. A set of bits outside; inside in the host's form, a register for each chunk.
 template <int W>
-requires Width<W>
+requires LaneCount<W>
 class Mask {
  public:
   Mask() = default;
@@ -105,7 +110,7 @@ LANESCOPE_INLINE void for_each_lane(Mask<W> active, F&& f) {
 
 /// W lanes of float, std::int32_t or std::uint32_t.
 template <class T, int W>
-requires Width<W>
+requires LaneCount<W>
 struct Vec {
   using Element = T;
   using Chunk = host::Chunk<T, kChunkLanes<W>>;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -25,7 +26,11 @@ std::string list_kernels() {
   std::string text;
   for (const Kernel* kernel : kernels())
     text += line(kernel->name,
-                 fmt::format("{}; W = {}", kernel->summary, fmt::join(kernel->widths, ", ")));
+                 fmt::format("{}; W = {}", kernel->summary,
+                             kernel->widths.size() == 1
+                                 ? fmt::to_string(kernel->widths.front())
+                                 : fmt::format("{} to {}", kernel->widths.front(),
+                                               kernel->widths.back())));
   return text;
 }
 
@@ -39,8 +44,12 @@ std::string list_scenes() {
 }
 
 std::string list_instructions() {
+  std::vector<const InstructionInfo*> infos(instruction_set().begin(), instruction_set().end());
+  for (const Kernel* kernel : kernels())
+    for (const InstructionInfo* info : kernel->instructions)
+      if (std::ranges::find(infos, info) == infos.end()) infos.push_back(info);
   std::string text;
-  for (const InstructionInfo* info : instruction_set())
+  for (const InstructionInfo* info : infos)
     text += fmt::format("{:<18} {:<11} {:<13} {}\n", info->mnemonic,
                         to_string(info->instruction_class), to_string(info->charge), info->meaning);
   return text;

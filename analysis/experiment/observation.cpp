@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/experiment/observation.h"
 
+#include <algorithm>
 #include <bit>
 #include <map>
 #include <tuple>
@@ -47,19 +48,21 @@ void MemoryAndSource::issued(const IssueEvent& event) {
 }
 
 void MemoryAndSource::add_touches(MemoryRecord& memory, const IssueEvent& event) {
-  memory.lines_histogram.resize(static_cast<std::size_t>(event.width) + 1);
   lines_touched_.clear();
   elements_stored_.clear();
   std::size_t lines = 0;
   std::uint64_t lanes_in_conflict = 0;
   for (const Touch& touch : event.touches) {
     lines += lines_touched_.insert(touch.byte / kLineBytes);
-    if (touch.is_store && !elements_stored_.insert(touch.byte))
+    if (touch.stores() && !elements_stored_.insert(touch.byte))
       lanes_in_conflict |= std::uint64_t{1} << touch.lane;
   }
   memory.issued += 1;
   memory.active += static_cast<std::uint64_t>(std::popcount(event.active));
   memory.lines += lines;
+  // Records of several words can touch more lines than there are lanes.
+  memory.lines_histogram.resize(std::max(
+      {memory.lines_histogram.size(), static_cast<std::size_t>(event.width) + 1, lines + 1}));
   memory.lines_histogram[lines] += 1;
   memory.conflicts += static_cast<std::uint64_t>(std::popcount(lanes_in_conflict));
 }

@@ -34,7 +34,7 @@ struct MemoryRecord {
   std::uint64_t issued = 0;  ///< Executions observed.
   std::uint64_t active = 0;  ///< Lanes on in them.
   std::uint64_t lines = 0;   ///< Distinct lines of 64 bytes, summed over executions.
-  std::vector<std::uint64_t> lines_histogram;  ///< [W + 1] executions that touched k lines.
+  std::vector<std::uint64_t> lines_histogram;  ///< [W + 1 or more] executions that touched k lines.
   /// Lanes that stored to an element that an earlier lane of the same execution stored to.
   std::uint64_t conflicts = 0;
 };

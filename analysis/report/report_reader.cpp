@@ -85,8 +85,17 @@ std::vector<std::uint64_t> read_counts(const JsonCursor& cursor, int length) {
   return counts;
 }
 
-/// Checks that executions were observed of what was issued, and that their sums fit together.
-void check_memory(const JsonCursor& cursor, const MemoryRecord& memory, const StageRecord& stage) {
+std::vector<std::uint64_t> read_at_least(const JsonCursor& cursor, int length) {
+  std::vector<std::uint64_t> counts = read_list(cursor, read_count);
+  if (counts.size() < static_cast<std::size_t>(length))
+    throw InputError(cursor.where(), "has {} elements; {} are needed", counts.size(), length);
+  return counts;
+}
+
+/// Checks that executions were observed of what was issued, and that their sums fit together. Lanes
+/// are those that accessed memory, whatever the instruction was charged.
+void check_memory(const JsonCursor& cursor, const MemoryRecord& memory, int width,
+                  const StageRecord& stage) {
   const auto issued =
       std::find_if(stage.instructions.begin(), stage.instructions.end(),
                    [&](const auto& counts) { return counts.mnemonic == memory.mnemonic; });
@@ -96,7 +105,8 @@ void check_memory(const JsonCursor& cursor, const MemoryRecord& memory, const St
   require_count(cursor.member("lines"), weighted_sum(memory.lines_histogram),
                 "which the histogram gives");
   require_at_most(cursor.member("issued"), issued->issued, "which were issued");
-  require_at_most(cursor.member("active"), issued->active, "which were active");
+  require_at_most(cursor.member("active"), memory.issued * static_cast<std::uint64_t>(width),
+                  "which there are in the instructions observed");
   require_at_most(cursor.member("conflicts"), memory.active, "which were active");
 }
 
@@ -106,9 +116,9 @@ MemoryRecord read_memory(const JsonCursor& cursor, int width, const StageRecord&
                       cursor.member("issued").count(),
                       cursor.member("active").count(),
                       cursor.member("lines").count(),
-                      read_counts(cursor.member("lines_histogram"), width + 1),
+                      read_at_least(cursor.member("lines_histogram"), width + 1),
                       cursor.member("conflicts").count()};
-  check_memory(cursor, memory, stage);
+  check_memory(cursor, memory, width, stage);
   return memory;
 }
 

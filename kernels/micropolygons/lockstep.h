@@ -14,7 +14,8 @@ class Lockstep {
   static constexpr std::size_t kStageCount = kProcess + 1;
   static constexpr std::size_t kCounterCount = kConflictHits + 1;
 
-  Lockstep(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts, HitSink& sink)
+  Lockstep(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts,
+           HitSink<Vm::kCounted>& sink)
       : vm_(vm), cells_(options.frame->grid()), counts_(counts), sink_(sink) {}
 
   void rasterize(const PacketMemory<P>& packet, int size, std::uint64_t first_id) {
@@ -24,17 +25,17 @@ class Lockstep {
     auto ruling = vm_.site(kTest);
     auto processing = vm_.site(kProcess);
 
-    for (int first = 0; first < size; first += Vm::kWidth) {
-      const auto valid = Lanes::first_n(size - first);
+    for (int first = 0; first < size; first += vm_.width()) {
+      const auto valid = vm_.first_n(size - first);
       vm_.begin_batch();
       const auto batch = set_up<Vm, P>(setup, packet, first, valid);
-      if constexpr (kCounted) count_batch(counts_, batch, valid);
+      if constexpr (Vm::kCounted) count_batch(counts_, batch, valid);
       if (!batch.any_alive) continue;
 
       const Bounded bounded = bound_batch(bounding, batch, packet, first);
-      if constexpr (kCounted) count_boxes(counts_, bounded.box, batch.alive);
-      for (std::size_t i = 0; i < Vm::kWidth; ++i)
-        sink_.ids[i] = first_id + static_cast<std::uint64_t>(first) + i;
+      if constexpr (Vm::kCounted)
+        count_boxes(counts_, bounded.box, batch.alive, bounded.with_candidates);
+      const Hits hits{sink_, first_id + static_cast<std::uint64_t>(first)};
 
       Cursor<Vm> at{bounded.box.first_column, bounded.box.first_row, bounded.box.first_sample};
       Lanes active = bounded.with_candidates;
@@ -54,7 +55,8 @@ class Lockstep {
         }
         if (coverage.any_on_edge) [[unlikely]]
           add_owned_samples<Vm, P>(ruling, coverage, batch.positions, values);
-        if (coverage.any_inside) process(processing, coverage.inside, bounded, values, sample);
+        if (coverage.any_inside) 
+          process(processing, coverage.inside, hits, bounded, values, sample);
         active = unfinished;
       }
     }
@@ -63,7 +65,6 @@ class Lockstep {
  private:
   using Float = typename Vm::Float;
   using Lanes = typename Vm::Lanes;
-  static constexpr bool kCounted = Vm::kMode != Mode::kUncounted;
 
   /// What stays in registers from *Bound* on.
   struct Bounded {
@@ -106,9 +107,10 @@ class Lockstep {
   }
 
   template <class ProcessSite>
-  LANESCOPE_INLINE void process(ProcessSite& site, Lanes hits, const Bounded& bounded,
-                                const EdgeValues<Vm, P>& values, const typename Vm::Int& sample) {
-    auto on = site.on(hits);
+  LANESCOPE_INLINE void process(ProcessSite& site, Lanes inside, Hits<HitSink<Vm::kCounted>> hits,
+                                const Bounded& bounded, const EdgeValues<Vm, P>& values,
+                                const typename Vm::Int& sample) {
+    auto on = site.on(inside);
     const auto weights = corner_weights<Vm, P>(on, values, bounded.inverse_area);
     Float shade[kShades];
     host::unroll<kShades>([&](auto i) LANESCOPE_INLINE_LAMBDA {
@@ -116,13 +118,13 @@ class Lockstep {
         return bounded.shades[k][i];
       });
     });
-    frame_merge(on, &sink_, sample, shade[0], shade[1], shade[2], shade[3], shade[4]);
+    frame_merge(on, hits, sample, shade[0], shade[1], shade[2], shade[3], shade[4]);
   }
 
   Vm& vm_;
   Cells cells_;
   RasterizerCounts& counts_;
-  HitSink& sink_;
+  HitSink<Vm::kCounted>& sink_;
 };
 
 }  // namespace lanescope

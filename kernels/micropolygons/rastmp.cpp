@@ -214,6 +214,7 @@ const Kernel k_rastmp{
     .counters = std::span(kRasterizerCounters).first<kHits + 1>(),
     .metrics = std::span(kRasterizerMetrics).first<1>(),
     .series = {},
+    .instructions = {},
     .widths = kWidths,
     .start = start,
 };

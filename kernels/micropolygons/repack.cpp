@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "kernels/micropolygons/counters.h"
 #include "kernels/kernel.h"
+#include "kernels/micropolygons/counters.h"
+#include "kernels/micropolygons/frame_merge.h"
+#include "kernels/micropolygons/starters.h"
 #include "kernels/widths.h"
 
 namespace lanescope {
@@ -18,6 +20,7 @@ const Kernel k_repack{
     .counters = kRasterizerCounters,
     .metrics = kRasterizerMetrics,
     .series = kWorkingSetSeries,
+    .instructions = kRasterizerInstructions,
     .widths = kBuiltWidths,
     .start = start_repack,
 };

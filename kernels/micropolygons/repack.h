@@ -25,17 +25,20 @@ class Repack {
   static constexpr std::size_t kStageCount = kProcess + 1;
   static constexpr std::size_t kCounterCount = kRasterizerCounterCount;
 
-  Repack(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts, HitSink& sink)
+  Repack(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts,
+         HitSink<Vm::kCounted>& sink)
       : vm_(vm),
         cells_(options.frame->grid()),
         counts_(counts),
         sink_(sink),
         least_free_to_load_(std::max(
-            1, static_cast<int>(std::ceil(options.kernel.stream_load_threshold * kWidth)))) {}
+            1, static_cast<int>(std::ceil(options.kernel.stream_load_threshold *
+                                                          static_cast<float>(vm.width()))))) {}
 
   std::vector<std::vector<std::uint64_t>> series() const { return working_set_.series(); }
 
   void rasterize(const PacketMemory<P>& packet, int size, std::uint64_t first_id) {
+    const int width = vm_.width();
     Sites sites(vm_);
     TestLanes lanes;
     hold(size);
@@ -43,17 +46,17 @@ class Repack {
     for (int next = 0;;) {
       const bool input_left = next < size;
       const int testable = lanes.busy.count() + queued_;
-      if (hits_ >= kWidth) {
-        process(sites, packet, first_id, kWidth);
-      } else if (testable >= kWidth || (!input_left && testable > 0)) {
+      if (hits_ >= width) {
+        process(sites, packet, first_id, width);
+      } else if (testable >= width || (!input_left && testable > 0)) {
         const int busy = lanes.busy.count();
-        if (queued_ > 0 && (kWidth - busy >= least_free_to_load_ || busy == 0))
+        if (queued_ > 0 && (width - busy >= least_free_to_load_ || busy == 0))
           stream_load(sites, lanes);
         test(sites, packet, lanes);
       } else if (input_left) {
-        const bool bounded = bound_batch(sites, packet, next, Lanes::first_n(size - next));
-        if (kCounted && bounded) observe_working_set(lanes);
-        next += kWidth;
+        const bool bounded = bound_batch(sites, packet, next, vm_.first_n(size - next));
+        if (Vm::kCounted && bounded) observe_working_set(lanes);
+        next += width;
       } else if (hits_ > 0) {
         process(sites, packet, first_id, hits_);
       } else {
@@ -66,9 +69,6 @@ class Repack {
   using Float = typename Vm::Float;
   using Int = typename Vm::Int;
   using Lanes = typename Vm::Lanes;
-  static constexpr int kWidth = Vm::kWidth;
-  static constexpr std::size_t kEntries = 2 * kWidth;
-  static constexpr bool kCounted = Vm::kMode != Mode::kUncounted;
   static constexpr bool kTriangles = P == Micropolygon::kTriangle;
   static constexpr bool kPrecomputed = E == Edges::kPrecomputed;
   using Equations = EdgeEquations<Vm, P>;
@@ -83,11 +83,12 @@ class Repack {
           ranking(vm.site(kStreamLoad)),
           loading(vm.site(kStreamLoad)),
           testing(vm.site(kTest)),
+          regathering(vm.site(kTest)),
           ruling(vm.site(kTest)),
           compacting(vm.site(kTest)),
           storing(vm.site(kTest)),
           processing(vm.site(kProcess)) {}
-    Site<kWidth, Vm::kMode> setup, bounding, queueing, ranking, loading, testing, ruling,
+    typename Vm::Site setup, bounding, queueing, ranking, loading, testing, regathering, ruling,
         compacting, storing, processing;
   };
 
@@ -102,7 +103,7 @@ class Repack {
   /// Makes room for what is kept of each micropolygon of a packet.
   void hold(int size) {
     if (held_ && size <= held_->size) return;
-    held_.emplace(size);
+    held_.emplace(size, vm_.checks());
   }
 
   /// *Setup* and *Bound* of a batch; survivors are pushed to the queue of *Test*. Returns whether
@@ -111,7 +112,7 @@ class Repack {
                                     Lanes valid) {
     vm_.begin_batch();
     const auto batch = set_up<Vm, P>(sites.setup, packet, first, valid);
-    if constexpr (kCounted) count_batch(counts_, batch, valid);
+    if constexpr (Vm::kCounted) count_batch(counts_, batch, valid);
     if (!batch.any_alive) return false;
 
     Box<Vm> box;
@@ -136,7 +137,7 @@ class Repack {
     scatter(extra, queue_.row.memory(), place, box.first_row);
     scatter_pair(extra, queue_.micropolygon.memory(), place, micropolygon, box.candidates);
     scatter_pair(extra, queue_.samples.memory(), place, box.first_sample, box.row_step);
-    if constexpr (kCounted) count_boxes(counts_, box, batch.alive);
+    if constexpr (Vm::kCounted) count_boxes(counts_, box, batch.alive, with_candidates);
     return true;
   }
 
@@ -145,7 +146,7 @@ class Repack {
     Lanes loaded;
     Int place;
     {
-      const Lanes free = ~lanes.busy;
+      const Lanes free = vm_.all() & ~lanes.busy;
       auto on = sites.ranking.on(free);
       auto extra = on.overhead();
       const auto rank = prefix_sum(extra, free);
@@ -193,8 +194,7 @@ class Repack {
                              Coverage<Vm>& coverage, Positions<Vm, P>& positions,
                              const EdgeValues<Vm, P>& values) {
     if constexpr (kPrecomputed) {
-      auto site = vm_.site(kTest);
-      auto on = site.on(coverage.on_edge);
+      auto on = sites.regathering.on(coverage.on_edge);
       positions = gather_positions(on.overhead(), packet, micropolygon);
     }
     add_owned_samples<Vm, P>(sites.ruling, coverage, positions, values);
@@ -220,7 +220,7 @@ class Repack {
   LANESCOPE_INLINE void process(Sites& sites, const PacketMemory<P>& packet, std::uint64_t first_id,
                                 int count) {
     hits_ -= count;
-    auto on = sites.processing.on(Lanes::first_n(count));
+    auto on = sites.processing.on(vm_.first_n(count));
     auto extra = on.overhead();
     const auto [micropolygon, sample] = load_pair(extra, hit_queue_.memory(), hits_);
     const auto row = div(extra, sample, cells_.stride);
@@ -239,10 +239,7 @@ class Repack {
         return gather(on, packet.shade(k, i), micropolygon);
       });
     });
-    const auto indices = detail::plain(micropolygon).lanes();
-    for (std::size_t i = 0; i < kWidth; ++i)
-      sink_.ids[i] = first_id + static_cast<std::uint64_t>(indices[i]);
-    frame_merge(on, &sink_, sample, shade[0], shade[1], shade[2], shade[3], shade[4]);
+    frame_merge(on, Hits{sink_, first_id}, micropolygon, sample, shade[0], shade[1], shade[2], shade[3], shade[4]);
   }
 
   template <class On>
@@ -305,7 +302,7 @@ class Repack {
       alive += seen != held_->observation;
       seen = held_->observation;
     };
-    const auto testing = detail::plain(lanes.micropolygon).lanes();
+    const auto testing = Vm::look(lanes.micropolygon).lanes();
     for_each_lane(lanes.busy, [&](int i) { see(testing[static_cast<std::size_t>(i)]); });
     for (int i = 0; i < hits_; ++i) see(hit_queue_.data()[2 * i]);
     counts_[kWorkingSetSum] += alive;
@@ -316,19 +313,21 @@ class Repack {
 
   /// The buffer before *Test*: boxes, in records of two words where they go together.
   struct BoxQueue {
-    Buffer<float> columns{2 * kEntries, "box columns", Vm::kCheckedMode};
-    Buffer<float> row{kEntries, "box rows", Vm::kCheckedMode};
-    Buffer<std::int32_t> micropolygon{2 * kEntries, "box micropolygons", Vm::kCheckedMode};
-    Buffer<std::int32_t> samples{2 * kEntries, "box samples", Vm::kCheckedMode};
+    BoxQueue(std::size_t entries, bool checked)
+        : columns(2 * entries, "box columns", checked),
+          row(entries, "box rows", checked),
+          micropolygon(2 * entries, "box micropolygons", checked),
+          samples(2 * entries, "box samples", checked) {}
+    Buffer<float> columns, row;
+    Buffer<std::int32_t> micropolygon, samples;
   };
 
   /// What is kept of each micropolygon of the packet beside its vertices.
   struct Held {
-    explicit Held(int micropolygons)
+    Held(int micropolygons, bool checked)
         : size(micropolygons),
-          inverse_area(entries(), "inverse areas", Vm::kCheckedMode),
-          equations(kPrecomputed ? entries() * kCoefficients : 1, "edge equations",
-                    Vm::kCheckedMode),
+          inverse_area(entries(), "inverse areas", checked),
+          equations(kPrecomputed ? entries() * kCoefficients : 1, "edge equations", checked),
           seen(entries()) {}
     std::size_t entries() const { return (static_cast<std::size_t>(size) + 63) / 64 * 64; }
     Memory<float> coefficients(int i) {
@@ -345,11 +344,12 @@ class Repack {
   Vm& vm_;
   Cells cells_;
   RasterizerCounts& counts_;
-  HitSink& sink_;
+  HitSink<Vm::kCounted>& sink_;
   int least_free_to_load_;  ///< Lanes.
-  BoxQueue queue_;
+  std::size_t entries_ = 2 * static_cast<std::size_t>(vm_.width());  ///< Of either buffer.
+  BoxQueue queue_{entries_, vm_.checks()};
   int queued_ = 0;  ///< Entries of queue_.
-  Buffer<std::int32_t> hit_queue_{2 * kEntries, "hits", Vm::kCheckedMode};
+  Buffer<std::int32_t> hit_queue_{2 * entries_, "hits", vm_.checks()};
   int hits_ = 0;  ///< Entries of hit_queue_: (micropolygon, sample).
   std::optional<Held> held_;
   WorkingSetCourse working_set_;

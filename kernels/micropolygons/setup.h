@@ -31,24 +31,26 @@ class TurnedPacket {
         copy_.fill(offset(k, a), packet.values(k, static_cast<Attribute>(a)), size_);
   }
 
-  /// Turns around the micropolygons `first` ... in the lanes of `valid`.
-  void turn(Vm& vm, std::size_t stage, std::int64_t first, typename Vm::Lanes valid) {
-    auto look = vm.site(stage);
-    auto swap = vm.site(stage);
-    typename Vm::Lanes back;
-    {
-      auto on = look.on(valid);
-      back = cmp_lt(on, doubled_area<Vm, P>(on, load_positions<Vm>(on, memory(), first)), 0.0f);
-      if (!any(on, back)) return;
+  /// Turns around those of its first `size` micropolygons that face away.
+  void turn(Vm& vm, std::size_t stage, int size) {
+    auto looking = vm.site(stage);
+    auto swapping = vm.site(stage);
+    for (int first = 0; first < size; first += vm.width()) {
+      typename Vm::Lanes back;
+      {
+        auto on = looking.on(vm.first_n(size - first));
+        back = cmp_lt(on, doubled_area<Vm, P>(on, load_positions<Vm>(on, memory(), first)), 0.0f);
+        if (!any(on, back)) continue;
+      }
+      auto on = swapping.on(back);
+      host::unroll<kAttributeCount>([&](auto a) LANESCOPE_INLINE_LAMBDA {
+        const auto one = array(1, a);
+        const auto other = array(kCorners<P> - 1, a);
+        const auto value = load(on, one, first);
+        store(on, one, first, load(on, other, first));
+        store(on, other, first, value);
+      });
     }
-    auto on = swap.on(back);
-    host::unroll<kAttributeCount>([&](auto a) LANESCOPE_INLINE_LAMBDA {
-      const auto one = array(1, a);
-      const auto other = array(kCorners<P> - 1, a);
-      const auto value = load(on, one, first);
-      store(on, one, first, load(on, other, first));
-      store(on, other, first, value);
-    });
   }
 
   PacketMemory<P> memory() {
@@ -89,10 +91,10 @@ LANESCOPE_INLINE Batch<Vm, P> set_up(SetupSite& site, const PacketMemory<P>& pac
 template <class Vm, Micropolygon P>
 LANESCOPE_INLINE void count_batch(RasterizerCounts& counts, const Batch<Vm, P>& batch,
                                   typename Vm::Lanes valid) {
-  using Chunk = typename Vec<float, Vm::kWidth>::Chunk;
-  const auto& area = detail::plain(batch.area);
+  using Chunk = typename Vec<float, Vm::kLanes>::Chunk;
+  const auto& area = Vm::look(batch.area);
   typename Vm::Lanes away;
-  host::unroll<kChunks<Vm::kWidth>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
+  host::unroll<kChunks<Vm::kLanes>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
     away.chunk[c] = host::compare<host::Relation::kLess>(area.chunk[c], Chunk{});
   });
   const auto seen = static_cast<std::uint64_t>(valid.count());
@@ -104,22 +106,23 @@ LANESCOPE_INLINE void count_batch(RasterizerCounts& counts, const Batch<Vm, P>& 
   counts[kDegenerate] += seen - alive - culled;
 }
 
-/// Counts what *Bound* decided about a batch.
+/// Counts what *Bound* decided about a batch; `with_candidates` are the lanes that have some.
 template <class Vm>
 LANESCOPE_INLINE void count_boxes(RasterizerCounts& counts, const Box<Vm>& box,
-                                  typename Vm::Lanes alive) {
-  using Ints = Vec<std::int32_t, Vm::kWidth>;
-  using Chunk = typename Ints::Chunk;
-  Ints candidates = detail::plain(box.candidates);
-  typename Vm::Lanes on_screen;
-  host::unroll<kChunks<Vm::kWidth>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-    candidates.chunk[c] = host::blend(alive.chunk[c], candidates.chunk[c], Chunk{});
-    on_screen.chunk[c] = host::compare<host::Relation::kLess>(Chunk{}, candidates.chunk[c]);
-  });
+                                  typename Vm::Lanes alive, typename Vm::Lanes with_candidates) {
+  using Chunk = typename Vec<std::int32_t, Vm::kLanes>::Chunk;
+  const auto& candidates = Vm::look(box.candidates);
+  // A frame has at most 2^28 samples, so that eight boxes add up in 32 bits.
+  constexpr int kAddedUp = 8;
   std::uint64_t tests = 0;
-  for (const std::int32_t n : candidates.lanes()) tests += static_cast<std::uint64_t>(n);
+  for (int first = 0; first < kChunks<Vm::kLanes>; first += kAddedUp) {
+    Chunk sums{};
+    for (int c = first; c < first + kAddedUp && c < kChunks<Vm::kLanes>; ++c)
+      sums += host::blend(with_candidates.chunk[c], candidates.chunk[c], Chunk{});
+    for (int i = 0; i < host::kLanes<Chunk>; ++i) tests += static_cast<std::uint32_t>(sums[i]);
+  }
   counts[kTests] += tests;
-  counts[kOffScreen] += static_cast<std::uint64_t>((alive & ~on_screen).count());
+  counts[kOffScreen] += static_cast<std::uint64_t>(alive.count() - with_candidates.count());
 }
 
 }  // namespace lanescope

@@ -15,9 +15,18 @@ struct ProgramOptions {
   Frame* frame;
 };
 
+/// The machine that a launch asks for. Requires one of Vm's modes.
+template <class Vm>
+Vm make_machine(const Launch& launch, std::size_t stage_count) {
+  if constexpr (requires { Vm(launch.width, stage_count, launch.mode, launch.observer); })
+    return Vm(launch.width, stage_count, launch.mode, launch.observer);
+  else
+    return Vm(launch.width, stage_count);
+}
+
 /// An execution of Program<Vm, P, E>, a class with
 ///   static constexpr std::size_t kStageCount, kCounterCount;
-///   Program(Vm&, const ProgramOptions&, RasterizerCounts&, HitSink&);
+///   Program(Vm&, const ProgramOptions&, RasterizerCounts&, HitSink<Vm::kCounted>&);
 ///   void rasterize(const PacketMemory<P>&, int size, std::uint64_t first_id);
 /// and, if its kernel has series, `std::vector<std::vector<std::uint64_t>> series() const`.
 template <template <class, Micropolygon, Edges> class Program, class Vm, Micropolygon P, Edges E>
@@ -25,8 +34,8 @@ class ProgramExecution final : public Execution {
  public:
   explicit ProgramExecution(const Launch& launch)
       : options_(launch.options),
-        vm_(Program<Vm, P, E>::kStageCount, launch.observer),
-        sink_{&launch.frame, Vm::kMode != Mode::kUncounted, &counts_},
+        vm_(make_machine<Vm>(launch, Program<Vm, P, E>::kStageCount)),
+        sink_(launch.frame, counts_),
         program_(vm_, {launch.options, &launch.frame}, counts_, sink_) {}
 
   void rasterize(const Packet& packet) override {
@@ -34,9 +43,8 @@ class ProgramExecution final : public Execution {
       program_.rasterize(PacketMemory<P>(packet), packet.size(), packet.first_id);
       return;
     }
-    TurnedPacket<Vm, P> turned(packet, Vm::kCheckedMode);
-    for (int first = 0; first < packet.size(); first += Vm::kWidth)
-      turned.turn(vm_, kSetupStage, first, Vm::Lanes::first_n(packet.size() - first));
+    TurnedPacket<Vm, P> turned(packet, vm_.checks());
+    turned.turn(vm_, kSetupStage, packet.size());
     program_.rasterize(turned.memory(), packet.size(), packet.first_id);
   }
 
@@ -45,7 +53,7 @@ class ProgramExecution final : public Execution {
     result.counts = vm_.counts();
     result.counters.assign(counts_.begin(), counts_.begin() + Program<Vm, P, E>::kCounterCount);
     if constexpr (requires { program_.series(); }) result.series = program_.series();
-    result.hits_hash = sink_.hits_hash;
+    result.hits_hash = sink_.hits_hash();
     return result;
   }
 
@@ -55,35 +63,35 @@ class ProgramExecution final : public Execution {
   KernelOptions options_;
   Vm vm_;
   RasterizerCounts counts_{};
-  HitSink sink_;
+  HitSink<Vm::kCounted> sink_;
   Program<Vm, P, E> program_;
 };
 
-/// Starts a program on a machine of width W.
-template <template <class, Micropolygon, Edges> class Program, int W>
-std::unique_ptr<Execution> start_program(const Launch& launch) {
-  const auto with_edges = [&]<Mode M, Micropolygon P>() -> std::unique_ptr<Execution> {
-    using Vm = Machine<W, M>;
+/// Starts a program on a machine of this kind.
+template <template <class, Micropolygon, Edges> class Program, class Vm>
+std::unique_ptr<Execution> start_on(const Launch& launch) {
+  const auto with_edges = [&]<Micropolygon P>() -> std::unique_ptr<Execution> {
     if (launch.options.edges == Edges::kInline)
       return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kInline>>(launch);
     return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kPrecomputed>>(launch);
   };
-  const auto with_shape = [&]<Mode M>() {
-    return launch.options.shape == Micropolygon::kTriangle
-               ? with_edges.template operator()<M, Micropolygon::kTriangle>()
-               : with_edges.template operator()<M, Micropolygon::kQuad>();
-  };
-  switch (launch.mode) {
-    case Mode::kCounting:
-      return with_shape.template operator()<Mode::kCounting>();
-    case Mode::kChecked:
-      return with_shape.template operator()<Mode::kChecked>();
-    case Mode::kTracing:
-      return with_shape.template operator()<Mode::kTracing>();
-    case Mode::kUncounted:
-      return with_shape.template operator()<Mode::kUncounted>();
-  }
-  return nullptr;
+  return launch.options.shape == Micropolygon::kTriangle
+             ? with_edges.template operator()<Micropolygon::kTriangle>()
+             : with_edges.template operator()<Micropolygon::kQuad>();
+}
+
+/// Starts a program in one of the fast modes, on L lanes. Requires launch.width <= L.
+template <template <class, Micropolygon, Edges> class Program, int L>
+std::unique_ptr<Execution> start_fast(const Launch& launch) {
+  return launch.mode == Mode::kCounting
+             ? start_on<Program, Machine<L, Mode::kCounting>>(launch)
+             : start_on<Program, Machine<L, Mode::kUncounted>>(launch);
+}
+
+/// Starts a program in one of the slow modes, on L lanes. Requires launch.width <= L.
+template <template <class, Micropolygon, Edges> class Program, int L>
+std::unique_ptr<Execution> start_slow(const Launch& launch) {
+  return start_on<Program, SlowMachine<L>>(launch);
 }
 
 }  // namespace lanescope

@@ -20,7 +20,7 @@ void update(Mask<W> active, Memory<T> memory, const Vec<std::int32_t, W>& index,
 /// An update reads what it then stores.
 template <int W, class F, class T>
 void touch(Mask<W> active, F&& f, Memory<T> memory, const Vec<std::int32_t, W>& index) {
-  detail_memory::touch_indexed(active, f, memory, index, 1, false);
+  detail_memory::touch_indexed(active, f, memory, index, 1, Access::kUpdate);
 }
 
 }  // namespace detail_atomic

@@ -16,15 +16,15 @@ namespace lanescope::isa {
 struct PrefixSum {
   static constexpr InstructionInfo kInfo{
       "prefix_sum", "r[i] = number of active j <= i with selected[j]", InstructionClass::kScan};
-  template <int W>
-  LANESCOPE_INLINE static Vec<std::int32_t, W> apply(Mask<W> active, Mask<W> selected) {
-    constexpr int N = kChunkLanes<W>;
+  template <int L>
+  LANESCOPE_INLINE static Vec<std::int32_t, L> apply(Mask<L> active, Mask<L> selected) {
+    constexpr int N = kChunkLanes<L>;
     using Uints = host::Chunk<std::uint32_t, N>;
     using Ints = host::Chunk<std::int32_t, N>;
     const Uints up_to = (host::broadcast<Uints>(2u) << (Uints)host::iota<N>(0)) - 1u;
-    Vec<std::int32_t, W> r;
+    Vec<std::int32_t, L> r;
     int before = 0;
-    host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
+    host::unroll<kChunks<L>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
       const auto bits = static_cast<std::uint32_t>(active.chunk[c] & selected.chunk[c]);
       r.chunk[c] = (Ints)host::popcount(up_to & bits) + before;
       before += __builtin_popcount(bits);
@@ -42,25 +42,25 @@ inline constexpr Instruction<PrefixSum> prefix_sum;
 struct Compress {
   static constexpr InstructionInfo kInfo{"compress", "selected lanes of a, moved to the front",
                                          InstructionClass::kScan};
-  template <int W, class T>
-  LANESCOPE_INLINE static Vec<T, W> apply(Mask<W> active, Mask<W> selected, const Vec<T, W>& a) {
-    const Mask<W> moved = active & selected;
-    alignas(64) T to[(kChunks<W> + 1) * kChunkLanes<W>];
+  template <int L, class T>
+  LANESCOPE_INLINE static Vec<T, L> apply(Mask<L> active, Mask<L> selected, const Vec<T, L>& a) {
+    const Mask<L> moved = active & selected;
+    alignas(64) T to[(kChunks<L> + 1) * kChunkLanes<L>];
     T* next = to;
-    host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
+    host::unroll<kChunks<L>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
       next += host::pack(moved.chunk[c], next, a.chunk[c]);
     });
-    Vec<T, W> r;
+    Vec<T, L> r;
     std::memcpy(r.chunk, to, sizeof r.chunk);
     return r;
   }
-  template <int W, class T>
-  static Mask<W> reads(int, Mask<W> active, Mask<W> selected, const Vec<T, W>&) {
+  template <int L, class T>
+  static Mask<L> reads(int, Mask<L> active, Mask<L> selected, const Vec<T, L>&) {
     return active & selected;
   }
-  template <int W, class T>
-  static Mask<W> defined(Mask<W> active, Mask<W> selected, const Vec<T, W>&) {
-    return Mask<W>::first_n((active & selected).count());
+  template <int L, class T>
+  static Mask<L> defined(Mask<L> active, Mask<L> selected, const Vec<T, L>&) {
+    return Mask<L>::first_n((active & selected).count());
   }
 };
 inline constexpr Instruction<Compress> compress;
@@ -69,21 +69,21 @@ inline constexpr Instruction<Compress> compress;
 struct Expand {
   static constexpr InstructionInfo kInfo{"expand", "lanes from the front of a, moved to selected",
                                          InstructionClass::kScan};
-  template <int W, class T>
-  static Vec<T, W> apply(Mask<W> active, Mask<W> selected, const Vec<T, W>& a) {
+  template <int L, class T>
+  static Vec<T, L> apply(Mask<L> active, Mask<L> selected, const Vec<T, L>& a) {
     const auto from = a.lanes();
-    std::array<T, W> to{};
+    std::array<T, L> to{};
     std::size_t next = 0;
     for_each_lane(active & selected,
                   [&](int i) { to[static_cast<std::size_t>(i)] = from[next++]; });
-    return Vec<T, W>::from_lanes(to);
+    return Vec<T, L>::from_lanes(to);
   }
-  template <int W, class T>
-  static Mask<W> reads(int, Mask<W> active, Mask<W> selected, const Vec<T, W>&) {
-    return Mask<W>::first_n((active & selected).count());
+  template <int L, class T>
+  static Mask<L> reads(int, Mask<L> active, Mask<L> selected, const Vec<T, L>&) {
+    return Mask<L>::first_n((active & selected).count());
   }
-  template <int W, class T>
-  static Mask<W> defined(Mask<W> active, Mask<W> selected, const Vec<T, W>&) {
+  template <int L, class T>
+  static Mask<L> defined(Mask<L> active, Mask<L> selected, const Vec<T, L>&) {
     return active & selected;
   }
 };
@@ -92,27 +92,26 @@ inline constexpr Instruction<Expand> expand;
 namespace detail_cross_lane {
 
 /// r[i] = a[source(i)] in active lanes.
-template <int W, class T, class F>
-Vec<T, W> move_lanes(Mask<W> active, const Vec<T, W>& a, F&& source) {
+template <int L, class T, class F>
+Vec<T, L> move_lanes(Mask<L> active, const Vec<T, L>& a, F&& source) {
   const auto from = a.lanes();
-  std::array<T, W> to{};
+  std::array<T, L> to{};
   for_each_lane(active, [&](int i) {
     to[static_cast<std::size_t>(i)] = from[static_cast<std::size_t>(source(i))];
   });
-  return Vec<T, W>::from_lanes(to);
+  return Vec<T, L>::from_lanes(to);
 }
 
-template <int W, class F>
-Mask<W> sources(Mask<W> active, F&& source) {
+template <int L, class F>
+Mask<L> sources(Mask<L> active, F&& source) {
   std::uint64_t bits = 0;
   for_each_lane(active, [&](int i) { bits |= std::uint64_t{1} << source(i); });
-  return Mask<W>::from_bits(bits);
+  return Mask<L>::from_bits(bits);
 }
 
-/// index modulo W, in [0, W).
-template <int W>
-int wrap(std::int32_t index) {
-  return (index % W + W) % W;
+/// index modulo the width, in [0, width).
+inline int wrap(std::int32_t index, Width width) {
+  return (index % width.lanes + width.lanes) % width.lanes;
 }
 
 }  // namespace detail_cross_lane
@@ -121,17 +120,18 @@ int wrap(std::int32_t index) {
 struct Permute {
   static constexpr InstructionInfo kInfo{"permute", "r[i] = a[index[i] modulo W]",
                                          InstructionClass::kScan};
-  template <int W, class T>
-  static Vec<T, W> apply(Mask<W> active, const Vec<T, W>& a, const Vec<std::int32_t, W>& index) {
+  template <int L, class T>
+  static Vec<T, L> apply(Mask<L> active, Width width, const Vec<T, L>& a,
+                         const Vec<std::int32_t, L>& index) {
     return detail_cross_lane::move_lanes(
-        active, a, [&](int i) { return detail_cross_lane::wrap<W>(index[i]); });
+        active, a, [&](int i) { return detail_cross_lane::wrap(index[i], width); });
   }
-  template <int W, class T>
-  static Mask<W> reads(int operand, Mask<W> active, const Vec<T, W>&,
-                       const Vec<std::int32_t, W>& index) {
+  template <int L, class T>
+  static Mask<L> reads(int operand, Mask<L> active, Width width, const Vec<T, L>&,
+                       const Vec<std::int32_t, L>& index) {
     if (operand == 1) return active;
-    return detail_cross_lane::sources<W>(
-        active, [&](int i) { return detail_cross_lane::wrap<W>(index[i]); });
+    return detail_cross_lane::sources<L>(
+        active, [&](int i) { return detail_cross_lane::wrap(index[i], width); });
   }
 };
 inline constexpr Instruction<Permute> permute;
@@ -141,13 +141,13 @@ struct ShuffleUp {
   static constexpr InstructionInfo kInfo{"shuffle_up", "r[i] = i >= n ? a[i - n] : a[i]",
                                          InstructionClass::kScan};
   static int source(int i, int n) { return i >= n ? i - n : i; }
-  template <int W, class T>
-  static Vec<T, W> apply(Mask<W> active, const Vec<T, W>& a, int n) {
+  template <int L, class T>
+  static Vec<T, L> apply(Mask<L> active, const Vec<T, L>& a, int n) {
     return detail_cross_lane::move_lanes(active, a, [&](int i) { return source(i, n); });
   }
-  template <int W, class T>
-  static Mask<W> reads(int, Mask<W> active, const Vec<T, W>&, int n) {
-    return detail_cross_lane::sources<W>(active, [&](int i) { return source(i, n); });
+  template <int L, class T>
+  static Mask<L> reads(int, Mask<L> active, const Vec<T, L>&, int n) {
+    return detail_cross_lane::sources<L>(active, [&](int i) { return source(i, n); });
   }
 };
 inline constexpr Instruction<ShuffleUp> shuffle_up;
@@ -156,17 +156,14 @@ inline constexpr Instruction<ShuffleUp> shuffle_up;
 struct ShuffleDown {
   static constexpr InstructionInfo kInfo{"shuffle_down", "r[i] = i + n < W ? a[i + n] : a[i]",
                                          InstructionClass::kScan};
-  template <int W>
-  static int source(int i, int n) {
-    return i + n < W ? i + n : i;
+  static int source(int i, int n, Width width) { return n < width.lanes - i ? i + n : i; }
+  template <int L, class T>
+  static Vec<T, L> apply(Mask<L> active, Width width, const Vec<T, L>& a, int n) {
+    return detail_cross_lane::move_lanes(active, a, [&](int i) { return source(i, n, width); });
   }
-  template <int W, class T>
-  static Vec<T, W> apply(Mask<W> active, const Vec<T, W>& a, int n) {
-    return detail_cross_lane::move_lanes(active, a, [&](int i) { return source<W>(i, n); });
-  }
-  template <int W, class T>
-  static Mask<W> reads(int, Mask<W> active, const Vec<T, W>&, int n) {
-    return detail_cross_lane::sources<W>(active, [&](int i) { return source<W>(i, n); });
+  template <int L, class T>
+  static Mask<L> reads(int, Mask<L> active, Width width, const Vec<T, L>&, int n) {
+    return detail_cross_lane::sources<L>(active, [&](int i) { return source(i, n, width); });
   }
 };
 inline constexpr Instruction<ShuffleDown> shuffle_down;
@@ -174,10 +171,10 @@ inline constexpr Instruction<ShuffleDown> shuffle_down;
 namespace detail_cross_lane {
 
 /// Running sums over active lanes, in lane order; integers wrap.
-template <bool kInclusive, int W, class T>
-Vec<T, W> scan(Mask<W> active, const Vec<T, W>& a) {
+template <bool kInclusive, int L, class T>
+Vec<T, L> scan(Mask<L> active, const Vec<T, L>& a) {
   const auto from = a.lanes();
-  std::array<T, W> to{};
+  std::array<T, L> to{};
   T running{};
   for_each_lane(active, [&](int lane) {
     const auto i = static_cast<std::size_t>(lane);
@@ -185,7 +182,7 @@ Vec<T, W> scan(Mask<W> active, const Vec<T, W>& a) {
     to[i] = kInclusive ? next : running;
     running = next;
   });
-  return Vec<T, W>::from_lanes(to);
+  return Vec<T, L>::from_lanes(to);
 }
 
 }  // namespace detail_cross_lane
@@ -193,8 +190,8 @@ Vec<T, W> scan(Mask<W> active, const Vec<T, W>& a) {
 struct InclusiveScan {
   static constexpr InstructionInfo kInfo{"inclusive_scan", "r[i] = sum of active a[j], j <= i",
                                          InstructionClass::kScan};
-  template <int W, class T>
-  static Vec<T, W> apply(Mask<W> active, const Vec<T, W>& a) {
+  template <int L, class T>
+  static Vec<T, L> apply(Mask<L> active, const Vec<T, L>& a) {
     return detail_cross_lane::scan<true>(active, a);
   }
 };
@@ -203,8 +200,8 @@ inline constexpr Instruction<InclusiveScan> inclusive_scan;
 struct ExclusiveScan {
   static constexpr InstructionInfo kInfo{"exclusive_scan", "r[i] = sum of active a[j], j < i",
                                          InstructionClass::kScan};
-  template <int W, class T>
-  static Vec<T, W> apply(Mask<W> active, const Vec<T, W>& a) {
+  template <int L, class T>
+  static Vec<T, L> apply(Mask<L> active, const Vec<T, L>& a) {
     return detail_cross_lane::scan<false>(active, a);
   }
 };
@@ -213,18 +210,18 @@ inline constexpr Instruction<ExclusiveScan> exclusive_scan;
 struct Conflict {
   static constexpr InstructionInfo kInfo{"conflict", "m[i] = some active j < i has a[j] == a[i]",
                                          InstructionClass::kScan};
-  template <int W, host::Integers T>
-  LANESCOPE_INLINE static Mask<W> apply(Mask<W> active, const Vec<T, W>& a) {
-    using Chunk = typename Vec<T, W>::Chunk;
+  template <int L, host::Integers T>
+  LANESCOPE_INLINE static Mask<L> apply(Mask<L> active, const Vec<T, L>& a) {
+    using Chunk = typename Vec<T, L>::Chunk;
     const auto lanes = a.lanes();
-    Mask<W> result;
-    host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
+    Mask<L> result;
+    host::unroll<kChunks<L>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
       unsigned bits = host::conflicts(active.chunk[c], a.chunk[c]);
       if constexpr (c > 0) {
         for (unsigned left = active.chunk[c] & ~bits; left != 0; left &= left - 1) {
           const int i = std::countr_zero(left);
           const auto key =
-              host::broadcast<Chunk>(lanes[static_cast<std::size_t>(c * kChunkLanes<W> + i)]);
+              host::broadcast<Chunk>(lanes[static_cast<std::size_t>(c * kChunkLanes<L> + i)]);
           unsigned equal = 0;
           host::unroll<c>([&](auto d) LANESCOPE_INLINE_LAMBDA {
             equal |= active.chunk[d] & host::compare<host::Relation::kEqual>(a.chunk[d], key);

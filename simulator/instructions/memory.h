@@ -17,16 +17,16 @@ LANESCOPE_INLINE Vec<std::remove_const_t<T>, W> zero() {
 }
 
 template <int W, class F, class T>
-void touch_contiguous(Mask<W> active, F&& f, Memory<T> memory, std::int64_t offset, bool store) {
-  for_each_lane(active, [&](int i) { f(i, memory, offset + i, store); });
+void touch_contiguous(Mask<W> active, F&& f, Memory<T> memory, std::int64_t offset, Access access) {
+  for_each_lane(active, [&](int i) { f(i, memory, offset + i, access); });
 }
 
 template <int W, class F, class T>
 void touch_indexed(Mask<W> active, F&& f, Memory<T> memory, const Vec<std::int32_t, W>& index,
-                   int words, bool store) {
+                   int words, Access access) {
   for_each_lane(active, [&](int i) {
     for (int word = 0; word < words; ++word)
-      f(i, memory, std::int64_t{index[i]} * words + word, store);
+      f(i, memory, std::int64_t{index[i]} * words + word, access);
   });
 }
 
@@ -66,7 +66,7 @@ struct Load {
   }
   template <int W, class F, class T, class... Rest>
   static void touch(Mask<W> active, F&& f, Memory<T> memory, std::int64_t offset, const Rest&...) {
-    detail_memory::touch_contiguous(active, f, memory, offset, false);
+    detail_memory::touch_contiguous(active, f, memory, offset, Access::kLoad);
   }
 };
 inline constexpr Instruction<Load> load;
@@ -85,7 +85,7 @@ struct Store {
   template <int W, class F, class T>
   static void touch(Mask<W> active, F&& f, Memory<T> memory, std::int64_t offset,
                     const Vec<T, W>&) {
-    detail_memory::touch_contiguous(active, f, memory, offset, true);
+    detail_memory::touch_contiguous(active, f, memory, offset, Access::kStore);
   }
 };
 inline constexpr Instruction<Store> store;
@@ -104,7 +104,7 @@ struct Gather {
   template <int W, class F, class T, class... Rest>
   static void touch(Mask<W> active, F&& f, Memory<T> memory, const Vec<std::int32_t, W>& index,
                     const Rest&...) {
-    detail_memory::touch_indexed(active, f, memory, index, 1, false);
+    detail_memory::touch_indexed(active, f, memory, index, 1, Access::kLoad);
   }
 };
 inline constexpr Instruction<Gather> gather;
@@ -121,7 +121,7 @@ struct Scatter {
   template <int W, class F, class T>
   static void touch(Mask<W> active, F&& f, Memory<T> memory, const Vec<std::int32_t, W>& index,
                     const Vec<T, W>&) {
-    detail_memory::touch_indexed(active, f, memory, index, 1, true);
+    detail_memory::touch_indexed(active, f, memory, index, 1, Access::kStore);
   }
 };
 inline constexpr Instruction<Scatter> scatter;
@@ -144,8 +144,8 @@ struct LoadPair {
   template <int W, class F, class T>
   static void touch(Mask<W> active, F&& f, Memory<T> memory, std::int64_t record) {
     for_each_lane(active, [&](int i) {
-      f(i, memory, 2 * (record + i), false);
-      f(i, memory, 2 * (record + i) + 1, false);
+      f(i, memory, 2 * (record + i), Access::kLoad);
+      f(i, memory, 2 * (record + i) + 1, Access::kLoad);
     });
   }
 };
@@ -167,7 +167,7 @@ struct GatherPair {
   template <int W, class F, class T, class... Rest>
   static void touch(Mask<W> active, F&& f, Memory<T> memory, const Vec<std::int32_t, W>& index,
                     const Rest&...) {
-    detail_memory::touch_indexed(active, f, memory, index, 2, false);
+    detail_memory::touch_indexed(active, f, memory, index, 2, Access::kLoad);
   }
 };
 inline constexpr Instruction<GatherPair> gather_pair;
@@ -186,7 +186,7 @@ struct ScatterPair {
   template <int W, class F, class T>
   static void touch(Mask<W> active, F&& f, Memory<T> memory, const Vec<std::int32_t, W>& index,
                     const Vec<T, W>&, const Vec<T, W>&) {
-    detail_memory::touch_indexed(active, f, memory, index, 2, true);
+    detail_memory::touch_indexed(active, f, memory, index, 2, Access::kStore);
   }
 };
 inline constexpr Instruction<ScatterPair> scatter_pair;

@@ -14,7 +14,7 @@
 namespace lanescope {
 namespace {
 
-using Vm = Machine<8, Mode::kTracing>;
+using Vm = SlowMachine<8>;
 using Ints = Vec<std::int32_t, 8>;
 
 Ints ints(std::initializer_list<int> values) {
@@ -29,7 +29,7 @@ constexpr std::string_view kStages[] = {"Only"};
 class Observing : public ::testing::Test {
  protected:
   MemoryAndSource seen;
-  Vm vm{1, &seen};
+  Vm vm{8, 1, Mode::kTracing, &seen};
   Buffer<std::int32_t> buffer{256, "buffer", false};
 
   MemoryRecord only_memory() {
@@ -70,6 +70,39 @@ TEST_F(Observing, APairIsOneLaneInConflict) {
   isa::scatter_pair(site.on(Mask<8>::all()), buffer.memory(), index, index, index);
   EXPECT_EQ(only_memory().conflicts, 1u);
   EXPECT_EQ(only_memory().lines, 1u);
+}
+
+/// Records of several words, far apart: more lines than lanes.
+struct GatherTriple {
+  static constexpr InstructionInfo kInfo{"gather_triple", "", InstructionClass::kMemory,
+                                         Charge::kOneLane};
+  template <int L>
+  static Ints apply(Mask<L>, Memory<std::int32_t>, int) {
+    return {};
+  }
+  template <int L, class F>
+  static void touch(Mask<L> active, F&& f, Memory<std::int32_t> memory, int stride) {
+    for_each_lane(active, [&](int i) {
+      for (int word = 0; word < 3; ++word) f(i, memory, (3 * i + word) * stride, Access::kLoad);
+    });
+  }
+};
+
+TEST_F(Observing, CountsMoreLinesThanLanes) {
+  auto site = vm.site(0);
+  Instruction<GatherTriple>{}(site.on(vm.first_n(5)), buffer.memory(), 16);
+  const MemoryRecord memory = only_memory();
+  EXPECT_EQ(memory.lines, 15u);
+  ASSERT_EQ(memory.lines_histogram.size(), 16u);
+  EXPECT_EQ(memory.lines_histogram[15], 1u);
+  EXPECT_EQ(memory.active, 5u) << "the lanes that access memory, whatever is charged";
+}
+
+TEST_F(Observing, CountsConflictsOfAtomics) {
+  auto site = vm.site(0);
+  const Ints index = ints({7, 7, 8, 7, 8, 9, 10, 11});
+  isa::scatter_add(site.on(vm.all()), buffer.memory(), index, index);
+  EXPECT_EQ(only_memory().conflicts, 3u);
 }
 
 TEST_F(Observing, AddsUpByLineOfSource) {

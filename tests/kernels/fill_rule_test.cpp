@@ -59,14 +59,16 @@ TEST(FillRule, AMeshCoversEverySampleOnce) {
           KernelOptions options;
           options.shape = shape;
           for (const Kernel* kernel : kernels()) {
-            Frame frame(grid);
-            const auto execution =
-                kernel->start({kernel->widths.front(), Mode::kCounting, options, frame});
-            execution->rasterize(packet);
-            SCOPED_TRACE(fmt::format("{}, {}s, seed {}, step {}", kernel->name, to_string(shape),
-                                     seed, step));
-            EXPECT_EQ(frame.covered(), 24u * 24);
-            EXPECT_EQ(execution->result().counters[6], 24u * 24) << "hits";
+            for (const int width : test::tried_widths(*kernel)) {
+              Frame frame(grid);
+              const auto execution = kernel->start({width, Mode::kCounting, options, frame});
+              execution->rasterize(packet);
+              SCOPED_TRACE(fmt::format("{}, W = {}, {}s, seed {}, step {}", kernel->name, width,
+                                       to_string(shape), seed, step));
+              EXPECT_EQ(frame.covered(), 24u * 24);
+              const test::Outcome outcome{execution->result(), frame.hash()};
+              EXPECT_EQ(outcome.counter(*kernel, "hits"), 24u * 24);
+            }
           }
         }
       }

@@ -3,7 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace lanescope::test {
+namespace {
+
+struct Nobody final : Observer {
+  void issued(const IssueEvent&) override {}
+};
+
+}  // namespace
+
+std::vector<int> tried_widths(const Kernel& kernel) {
+  std::vector<int> widths;
+  std::ranges::set_intersection(kTriedWidths, kernel.widths, std::back_inserter(widths));
+  return widths;
+}
 
 std::uint64_t Outcome::counter(const Kernel& kernel, std::string_view name) const {
   for (std::size_t i = 0; i < kernel.counters.size(); ++i)
@@ -15,7 +31,9 @@ std::uint64_t Outcome::counter(const Kernel& kernel, std::string_view name) cons
 Outcome run(const Kernel& kernel, int width, Mode mode, const KernelOptions& options,
             const SampleGrid& grid, const std::vector<const Packet*>& packets) {
   Frame frame(grid);
-  const auto execution = kernel.start({width, mode, options, frame});
+  Nobody nobody;
+  const auto execution =
+      kernel.start({width, mode, options, frame, mode == Mode::kTracing ? &nobody : nullptr});
   for (const Packet* packet : packets) execution->rasterize(*packet);
   return {execution->result(), frame.hash()};
 }
@@ -53,7 +71,7 @@ void expect_same(const Kernel& kernel, const Outcome& outcome, const Outcome& re
 }
 
 void expect_agreement(const Packet& packet, const SampleGrid& grid, bool cull_backfaces,
-                      std::initializer_list<Mode> modes) {
+                      const std::vector<int>& widths) {
   for (const Edges edges : {Edges::kInline, Edges::kPrecomputed}) {
     KernelOptions options;
     options.shape = packet.shape();
@@ -62,8 +80,11 @@ void expect_agreement(const Packet& packet, const SampleGrid& grid, bool cull_ba
     const Kernel& scalar = find_kernel("rastmp");
     const Outcome reference = run(scalar, 1, Mode::kCounting, options, grid, {&packet});
     for (const Kernel* kernel : kernels()) {
-      for (const int width : kernel->widths) {
-        for (const Mode mode : modes) {
+      std::vector<int> available;
+      std::ranges::set_intersection(widths, kernel->widths, std::back_inserter(available));
+      for (const int width : available) {
+        for (const Mode mode :
+             {Mode::kCounting, Mode::kChecked, Mode::kTracing, Mode::kUncounted}) {
           SCOPED_TRACE(fmt::format("{}, W = {}, {}, {} edges", kernel->name, width, to_string(mode),
                                    edges == Edges::kInline ? "inline" : "precomputed"));
           const Outcome outcome = run(*kernel, width, mode, options, grid, {&packet});

@@ -2,7 +2,6 @@
 // Runs of kernels on packets, as the kernel tests compare them.
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +9,12 @@
 #include "kernels/kernel.h"
 
 namespace lanescope::test {
+
+/// Widths that the tests try: powers of two, their neighbours, and some that are neither.
+inline constexpr int kTriedWidths[] = {1, 3, 4, 7, 8, 15, 16, 17, 31, 32, 33, 47, 63, 64};
+
+/// Those of them that the kernel can be started with.
+std::vector<int> tried_widths(const Kernel& kernel);
 
 /// What a kernel made of some packets.
 struct Outcome {
@@ -20,7 +25,7 @@ struct Outcome {
   std::uint64_t counter(const Kernel& kernel, std::string_view name) const;
 };
 
-/// Runs a kernel over packets on one execution.
+/// Runs a kernel over packets on one execution. A tracing machine is watched by nobody.
 Outcome run(const Kernel& kernel, int width, Mode mode, const KernelOptions& options,
             const SampleGrid& grid, const std::vector<const Packet*>& packets);
 
@@ -34,9 +39,9 @@ Packet squares(int columns, int rows, float size);
 /// Expects the hits, the frame and the shared counters of the reference.
 void expect_same(const Kernel& kernel, const Outcome& outcome, const Outcome& reference);
 
-/// Expects every kernel, at every width and with both kinds of edges, to agree with the reference
-/// on the packet; in counting mode, or in all modes.
+/// Expects every kernel, in every mode, at the widths that it has of these and with both kinds of
+/// edges, to agree with the reference on the packet.
 void expect_agreement(const Packet& packet, const SampleGrid& grid, bool cull_backfaces,
-                      std::initializer_list<Mode> modes);
+                      const std::vector<int>& widths);
 
 }  // namespace lanescope::test

@@ -8,12 +8,12 @@ namespace lanescope {
 namespace {
 
 using namespace isa;
-using Checked = Machine<8, Mode::kChecked>;
+using Checked = SlowMachine<8>;
 
 /// What a program fails with, without file and line; empty if it does not fail.
 template <class F>
 std::string failure(F&& program) {
-  Checked vm(1);
+  Checked vm(8, 1, Mode::kChecked);
   auto site = vm.site(0);
   try {
     program(site);
@@ -126,8 +126,76 @@ TEST(CheckedMode, MemoryIsWrittenBeforeItIsRead) {
             "load, lane 6: element 6 of 'scratch' is read, but was never written");
 }
 
+TEST(CheckedMode, LanesMustNotStoreToOneElement) {
+  Buffer<std::int32_t> buffer(16, "scratch", true);
+  const auto halves = [&](auto& on) { return shr(on, lane_index(on), 1); };
+  EXPECT_EQ(failure([&](auto& site) {
+              auto on = site.on(Mask<8>::from_bits(0b10101110));
+              scatter(on, buffer.memory(), halves(on), lane_index(on));
+            }),
+            "scatter, lanes 2 and 3: both store to element 1 of 'scratch', in one instruction");
+  EXPECT_EQ(failure([&](auto& site) {
+              auto on = site.on(Mask<8>::first_n(2));
+              scatter_pair(on, buffer.memory(), halves(on), halves(on), halves(on));
+            }),
+            "scatter_pair, lanes 0 and 1: both store to element 0 of 'scratch', in one "
+            "instruction");
+  EXPECT_EQ(failure([&](auto& site) {
+              auto on = site.on(Mask<8>::all());
+              scatter(on, buffer.memory(), sub(on, 7, lane_index(on)), lane_index(on));
+            }),
+            "");
+}
+
+TEST(CheckedMode, AtomicsReadWhatTheyStore) {
+  EXPECT_EQ(failure([](auto& site) {
+              Buffer<std::int32_t> buffer(16, "scratch", true);
+              auto on = site.on(Mask<8>::all());
+              store(on, buffer.memory(), 0, lane_index(on));
+              scatter_add(on, buffer.memory(), shr(on, lane_index(on), 1), lane_index(on));
+            }),
+            "");
+  EXPECT_EQ(failure([](auto& site) {
+              Buffer<std::int32_t> buffer(16, "scratch", true);
+              auto on = site.on(Mask<8>::all());
+              scatter_add(on, buffer.memory(), lane_index(on), lane_index(on));
+            }),
+            "scatter_add, lane 0: element 0 of 'scratch' is read, but was never written");
+}
+
+TEST(CheckedMode, LanesBeyondTheWidthStayOff) {
+  Checked vm(5, 1, Mode::kChecked);
+  auto site = vm.site(0);
+  EXPECT_NO_THROW(site.on(vm.all()));
+  try {
+    site.on(~Mask<8>::first_n(3));
+    FAIL();
+  } catch (const CheckError& e) {
+    EXPECT_NE(std::string(e.what()).find("a block has lane 7 on, of a machine that is 5 wide"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
+TEST(CheckedMode, ReadsWithinTheWidth) {
+  Checked vm(5, 1, Mode::kChecked);
+  auto site = vm.site(0);
+  auto on = site.on(vm.all());
+  const auto lanes = lane_index(on);
+  EXPECT_EQ(hmax(on, permute(on, lanes, add(on, lanes, 1))), 4);
+  EXPECT_EQ(hadd(on, shuffle_down(on, lanes, 3)), 3 + 4 + 2 + 3 + 4);
+}
+
+TEST(CheckedMode, MemoryIsAsLargeAsItSays) {
+  const float value = 1.0f;
+  // Only its first element is there; none of the others is touched.
+  const auto memory = read_only(&value, std::size_t{1} << 33, "large");
+  EXPECT_EQ(memory.size, std::size_t{1} << 33);
+  EXPECT_EQ(memory.part(0, std::size_t{1} << 32).size, std::size_t{1} << 32);
+}
+
 TEST(CheckedMode, DeadLanesHoldPoison) {
-  Checked vm(1);
+  Checked vm(8, 1, Mode::kChecked);
   auto site = vm.site(0);
   auto on = site.on(Mask<8>::first_n(1));
   EXPECT_TRUE(std::isnan(broadcast(on, 1.0f).vec[1]));

@@ -9,7 +9,7 @@
 namespace lanescope {
 namespace {
 
-using Tracing = Machine<8, Mode::kTracing>;
+using Tracing = SlowMachine<8>;
 using Counting = Machine<8, Mode::kCounting>;
 
 /// Keeps a copy of every event.
@@ -55,7 +55,7 @@ typename Vm::Int program(Vm& vm, Memory<std::int32_t> memory, Mask<8> active) {
 
 TEST(Tracing, TellsEveryInstructionWithItsPlace) {
   Recorder recorder;
-  Tracing vm(2, &recorder);
+  Tracing vm(8, 2, Mode::kTracing, &recorder);
   Buffer<std::int32_t> buffer(64, "buffer", false);
   vm.begin_batch();
   program(vm, buffer.memory(), Mask<8>::first_n(5));
@@ -76,7 +76,7 @@ TEST(Tracing, TellsEveryInstructionWithItsPlace) {
 
 TEST(Tracing, TellsTheElementsThatMemoryInstructionsTouch) {
   Recorder recorder;
-  Tracing vm(2, &recorder);
+  Tracing vm(8, 2, Mode::kTracing, &recorder);
   Buffer<std::int32_t> buffer(64, "buffer", false);
   program(vm, buffer.memory(), Mask<8>::first_n(3));
   ASSERT_EQ(recorder.events.size(), 5u);
@@ -88,20 +88,20 @@ TEST(Tracing, TellsTheElementsThatMemoryInstructionsTouch) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(stored[i].lane, static_cast<int>(i));
     EXPECT_EQ(stored[i].byte, 4 * (i % 2));
-    EXPECT_TRUE(stored[i].is_store);
+    EXPECT_EQ(stored[i].access, Access::kStore);
     EXPECT_EQ(read[i].byte, 8 * i);
     EXPECT_EQ(read[i].bytes, 4u);
-    EXPECT_FALSE(read[i].is_store);
+    EXPECT_EQ(read[i].access, Access::kLoad);
   }
 }
 
 TEST(Tracing, ComputesAndCountsAsACountingMachineDoes) {
   Recorder recorder;
-  Tracing tracing(2, &recorder);
-  Counting counting(2);
+  Tracing tracing(8, 2, Mode::kTracing, &recorder);
+  Counting counting(8, 2);
   Buffer<std::int32_t> one(64, "one", false), other(64, "other", false);
   for (int n = 0; n <= 8; ++n)
-    EXPECT_EQ(program(tracing, one.memory(), Mask<8>::first_n(n)).lanes(),
+    EXPECT_EQ(program(tracing, one.memory(), Mask<8>::first_n(n)).vec.lanes(),
               program(counting, other.memory(), Mask<8>::first_n(n)).lanes());
   EXPECT_EQ(tracing.counts(), counting.counts());
   const InstructionCounts total = counting.counts().stages[1].total();
@@ -109,10 +109,50 @@ TEST(Tracing, ComputesAndCountsAsACountingMachineDoes) {
   EXPECT_EQ(recorder.charged, total.active);
 }
 
-TEST(Tracing, NeedsAnObserverAndOnlyThen) {
-  EXPECT_THROW(Tracing(1), CheckError);
+/// Loads records of three words.
+struct LoadTriple {
+  static constexpr InstructionInfo kInfo{"load_triple", "", InstructionClass::kMemory};
+  template <int L>
+  static Vec<std::int32_t, L> apply(Mask<L>, Memory<std::int32_t>, int) {
+    return {};
+  }
+  template <int L, class F>
+  static void touch(Mask<L> active, F&& f, Memory<std::int32_t> memory, int stride) {
+    for_each_lane(active, [&](int i) {
+      for (int word = 0; word < 3; ++word) f(i, memory, i * stride + word, Access::kLoad);
+    });
+  }
+};
+
+TEST(Tracing, TellsAnyNumberOfElements) {
   Recorder recorder;
-  EXPECT_THROW(Counting(1, &recorder), CheckError);
+  Tracing vm(8, 1, Mode::kTracing, &recorder);
+  Buffer<std::int32_t> buffer(64, "buffer", false);
+  auto site = vm.site(0);
+  auto on = site.on(vm.all());
+  Instruction<LoadTriple>{}(on, buffer.memory(), 3);
+  ASSERT_EQ(recorder.events.size(), 1u);
+  ASSERT_EQ(recorder.events[0].touches.size(), 24u);
+  EXPECT_EQ(recorder.events[0].touches[23].lane, 7);
+  EXPECT_EQ(recorder.events[0].touches[23].byte, 4 * 23u);
+}
+
+TEST(Tracing, TellsOfAtomicsThatTheyReadAndStore) {
+  Recorder recorder;
+  Tracing vm(8, 1, Mode::kTracing, &recorder);
+  Buffer<std::int32_t> buffer(64, "buffer", false);
+  auto site = vm.site(0);
+  auto on = site.on(vm.first_n(1));
+  isa::scatter_add(on, buffer.memory(), isa::lane_index(on), isa::lane_index(on));
+  EXPECT_EQ(recorder.events.back().touches.at(0).access, Access::kUpdate);
+  EXPECT_TRUE(recorder.events.back().touches.at(0).stores());
+}
+
+TEST(Tracing, NeedsAnObserverAndOnlyThen) {
+  EXPECT_THROW(Tracing(8, 1, Mode::kTracing), CheckError);
+  Recorder recorder;
+  EXPECT_THROW(Tracing(8, 1, Mode::kChecked, &recorder), CheckError);
+  EXPECT_THROW(Tracing(8, 1, Mode::kCounting), CheckError);
 }
 
 }  // namespace

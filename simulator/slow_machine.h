@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// The slow machine, for the modes that are not to run fast: checked and tracing. It is compiled for
+// one number of lanes, without effort. It charges each instruction as it issues it, without lists
+// or signatures, and so is an oracle for the counts of the fast machine.
+#pragma once
+
+#include <cstdint>
+#include <source_location>
+#include <vector>
+
+#include "simulator/base/error.h"
+#include "simulator/checks.h"
+#include "simulator/machine.h"
+#include "simulator/observer.h"
+
+namespace lanescope {
+namespace detail {
+
+/// What the instructions of a slow machine act on, whatever its lanes.
+struct SlowState {
+  Tally tally;
+  bool checked;
+  Observer* observer;
+  StoredElements stored;       ///< By the instruction that is being checked.
+  std::vector<Touch> touches;  ///< Of the instruction that is being told of.
+
+  Width width() const { return {tally.width()}; }
+};
+
+/// Charges an instruction. Tells the observer of it, with what is in `state.touches`.
+void charge_slowly(SlowState& state, const InstructionInfo& info, std::size_t stage,
+                   std::uint64_t active, bool overhead, const std::source_location& at);
+
+/// Checks the operands and the accesses of an instruction, and keeps what it touches.
+template <class Op, int L, class... Operands>
+void examine(SlowState& state, Mask<L> active, const std::source_location& at,
+             const Operands&... operands) {
+  if (state.checked) {
+    [[maybe_unused]] int position = 0;
+    ((check_operand(Op::kInfo,
+                    lanes_read<Op>(position, active, state.width(), plain(operands)...), position,
+                    operands, at),
+      ++position),
+     ...);
+  }
+  state.touches.clear();
+  std::string_view memory_name;
+  const auto visit = [&]<class T>(int lane, const Memory<T>& memory, std::int64_t element,
+                                  Access access) {
+    if (state.checked) {
+      check_access(Op::kInfo, lane, memory, element, access, state.stored, at);
+      memory_name = memory.name;
+    } else {
+      state.touches.push_back(
+          {lane, static_cast<std::uint64_t>(element) * sizeof(T), sizeof(T), access});
+    }
+  };
+  if constexpr (requires { Op::touch(active, visit, plain(operands)...); }) {
+    state.stored.clear();
+    Op::touch(active, visit, plain(operands)...);
+    if (state.checked) state.stored.require_distinct(Op::kInfo, memory_name, at);
+  } else {
+    static_assert(!(IsMemory<Operands>::value || ...),
+                  "an instruction on memory needs touch(), so that its accesses can be checked");
+  }
+}
+
+/// Not inlined: a slow machine is for finding mistakes, and is built more often than it runs.
+template <class Op, int L, class... Operands>
+[[gnu::noinline]] auto issue_slowly(SlowState& state, std::size_t stage, Mask<L> active,
+                                    bool overhead, const std::source_location& at,
+                                    const Operands&... operands) {
+  examine<Op>(state, active, at, operands...);
+  charge_slowly(state, Op::kInfo, stage, active.bits(), overhead, at);
+  using R = decltype(execute<Op>(active, state.width(), plain(operands)...));
+  if constexpr (std::is_void_v<R>) {
+    execute<Op>(active, state.width(), plain(operands)...);
+  } else {
+    auto result = as_checked(execute<Op>(active, state.width(), plain(operands)...));
+    if (state.checked)
+      define_lanes(result, defined_lanes<Op>(active, state.width(), operands...));
+    return result;
+  }
+}
+
+}  // namespace detail
+
+/// Code under one mask.
+template <int L>
+class SlowBlock {
+ public:
+  SlowBlock(detail::SlowState& state, std::size_t stage, Mask<L> active)
+      : state_(state), stage_(stage), active_(active) {}
+  SlowBlock(const SlowBlock&) = delete;
+  SlowBlock& operator=(const SlowBlock&) = delete;
+
+  Mask<L> active() const { return active_; }
+
+  /// Checks, charges and executes Op; see Instruction.
+  template <class Op, class... Operands>
+  auto issue(const std::source_location& at, const Operands&... operands) {
+    return detail::issue_slowly<Op>(state_, stage_, active_, false, at, operands...);
+  }
+
+  /// The same block for instructions that the kernel's baseline does not have to execute.
+  struct Overhead {
+    SlowBlock& block;
+    Mask<L> active() const { return block.active_; }
+    template <class Op, class... Operands>
+    auto issue(const std::source_location& at, const Operands&... operands) {
+      return detail::issue_slowly<Op>(block.state_, block.stage_, block.active_, true, at,
+                                      operands...);
+    }
+  };
+  Overhead overhead() { return {*this}; }
+
+ private:
+  detail::SlowState& state_;
+  std::size_t stage_;
+  Mask<L> active_;
+};
+
+/// A place in a program that executes blocks of one stage.
+template <int L>
+class SlowSite {
+ public:
+  SlowSite(detail::SlowState& state, std::size_t stage) : state_(state), stage_(stage) {
+    if (stage >= state.tally.stage_count()) detail::fail_stage(stage, state.tally.stage_count());
+  }
+
+  /// Opens a block of instructions that run under `active`. A checked machine throws CheckError if
+  /// a lane beyond the width is.
+  SlowBlock<L> on(Mask<L> active, std::source_location at = std::source_location::current()) {
+    if (state_.checked && (active.bits() & ~low_bits(state_.width().lanes)) != 0)
+      detail::fail_beyond_width(active.bits(), state_.width(), at);
+    return {state_, stage_, active};
+  }
+
+ private:
+  detail::SlowState& state_;
+  std::size_t stage_;
+};
+
+/// A vector machine of L lanes, of which a run uses the first `width`, that checks what a program
+/// does, or shows it to an observer. Programs use it as they use Machine. Not thread-safe.
+template <int L>
+requires LaneCount<L>
+class SlowMachine {
+ public:
+  static constexpr int kLanes = L;
+  static constexpr bool kCounted = true;
+
+  using Float = CheckedVec<float, L>;
+  using Int = CheckedVec<std::int32_t, L>;
+  using Uint = CheckedVec<std::uint32_t, L>;
+  using Lanes = Mask<L>;
+  using Site = SlowSite<L>;
+
+  /// Throws CheckError unless 1 <= width <= L. Requires a slow mode; a tracing machine needs an
+  /// observer, which must outlive it, and others have none.
+  SlowMachine(int width, std::size_t stage_count, Mode mode, Observer* observer = nullptr)
+      : state_{Tally(detail::checked_width(width, L).lanes, stage_count), mode == Mode::kChecked,
+               observer, {}, {}} {
+    LANESCOPE_CHECK(is_slow(mode), "{} is not a mode of a slow machine", to_string(mode));
+    LANESCOPE_CHECK((observer != nullptr) == (mode == Mode::kTracing),
+                    "a machine has an observer if and only if it is tracing");
+  }
+
+  int width() const { return state_.width().lanes; }
+  Lanes all() const { return Lanes::first_n(width()); }
+  Lanes first_n(int n) const { return Lanes::first_n(n < width() ? n : width()); }
+
+  /// A place that executes blocks of a stage. Throws CheckError unless stage < stage_count.
+  Site site(std::size_t stage) { return Site(state_, stage); }
+
+  void begin_batch() {
+    if (state_.observer) state_.observer->batch_begins();
+  }
+
+  bool checks() const { return state_.checked; }
+
+  template <class T>
+  static const Vec<T, L>& look(const CheckedVec<T, L>& v) {
+    return v.vec;
+  }
+
+  /// What has been counted. Throws CheckError if two instructions have one mnemonic.
+  Counts counts() const { return state_.tally.counts(); }
+
+ private:
+  detail::SlowState state_;
+};
+
+}  // namespace lanescope
