@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What counting costs: W1 by hand, uncounted and counting, and the kernels uncounted and counting,
-// in turn within one process; prints the median of the ratios of each round.
+// in turn within one process; prints the median of the ratios of each round. With arguments, only
+// of the works named: counting_cost [w1|lockstep|repack]...
 #include <fmt/format.h>
 #include <time.h>
 
@@ -91,16 +92,22 @@ void measure_kernel(const Kernel& kernel, int width, const std::vector<Packet>& 
 }  // namespace
 }  // namespace lanescope
 
-int main() {
+int main(int argc, char** argv) {
   using namespace lanescope;
+  const auto is_wanted = [&](std::string_view work) {
+    return argc == 1 || std::find(argv + 1, argv + argc, work) != argv + argc;
+  };
   fmt::print("Medians of {} rounds\n\nwork        W   counting / uncounted   uncounted / by hand\n",
              kRounds);
-  w1::Triangles triangles = w1::make_triangles(1 << 20);
-  measure_w1<16>(triangles);
-  measure_w1<32>(triangles);
-  measure_w1<64>(triangles);
+  if (is_wanted("w1")) {
+    w1::Triangles triangles = w1::make_triangles(1 << 20);
+    measure_w1<16>(triangles);
+    measure_w1<32>(triangles);
+    measure_w1<64>(triangles);
+  }
   const auto packets = make_packets();
   for (const char* name : {"lockstep", "repack"})
-    for (const int width : {16, 32, 64}) measure_kernel(find_kernel(name), width, packets);
+    if (is_wanted(name))
+      for (const int width : {16, 32, 64}) measure_kernel(find_kernel(name), width, packets);
   return EXIT_SUCCESS;
 }

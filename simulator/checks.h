@@ -21,6 +21,7 @@
 #include "simulator/memory.h"
 
 namespace lanescope {
+inline namespace LANESCOPE_HOST {
 
 /// A vector of a slow machine. On a checked one `defined` is which lanes hold a value, and the
 /// others are poison.
@@ -30,6 +31,8 @@ struct CheckedVec {
   Vec<T, L> vec;
   Mask<L> defined = Mask<L>::none();
 };
+
+}  // namespace LANESCOPE_HOST
 
 namespace detail {
 
@@ -165,7 +168,7 @@ void poison_dead_lanes(CheckedVec<T, L>& v, Mask<L> defined) {
   v.defined = defined;
   const auto poisoned = Vec<T, L>::broadcast(poison<T>());
   for (int c = 0; c < kChunks<L>; ++c)
-    v.vec.chunk[c] = host::blend(defined.chunk[c], v.vec.chunk[c], poisoned.chunk[c]);
+    v.vec.chunk[c] = host::blend(defined.chunk(c), v.vec.chunk[c], poisoned.chunk[c]);
 }
 
 /// A result as the program of a slow machine sees it; pairs of vectors element by element.

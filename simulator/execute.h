@@ -67,23 +67,22 @@ LANESCOPE_INLINE auto apply_lanes(Chunks... chunks) {
   }
 }
 
-/// bits() on chunks where there is one, else holds() lane by lane; a bit for each lane.
+/// decide() on chunks where there is one, else holds() lane by lane.
 template <class Op, class Chunk>
-LANESCOPE_INLINE host::ChunkBits decide_lanes(Chunk a, Chunk b) {
-  if constexpr (requires { Op::bits(a, b); }) {
-    return Op::bits(a, b);
+LANESCOPE_INLINE host::MaskOf<Chunk> decide_lanes(Chunk a, Chunk b) {
+  if constexpr (requires { Op::decide(a, b); }) {
+    return Op::decide(a, b);
   } else {
     unsigned bits = 0;
     for (int i = 0; i < host::kLanes<Chunk>; ++i)
       bits |= static_cast<unsigned>(Op::holds(a[i], b[i])) << i;
-    return static_cast<host::ChunkBits>(bits);
+    return host::mask_of_bits<host::kLanes<Chunk>>(bits);
   }
 }
 
-/// Executes an instruction on plain values. Requires that no lane from `width` on is active.
 template <class Op, int L, class... Operands>
-LANESCOPE_INLINE auto execute([[maybe_unused]] Mask<L> active, [[maybe_unused]] Width width,
-                              const Operands&... operands) {
+LANESCOPE_INLINE auto execute_in_line([[maybe_unused]] Mask<L> active, [[maybe_unused]] Width width,
+                                      const Operands&... operands) {
   if constexpr (requires { Op::apply(active, operands...); }) {
     return Op::apply(active, operands...);
   } else if constexpr (requires { Op::apply(active, width, operands...); }) {
@@ -94,12 +93,9 @@ LANESCOPE_INLINE auto execute([[maybe_unused]] Mask<L> active, [[maybe_unused]] 
                   "the instruction does not take these operands, or none of them is a vector");
     using Chunk = typename First::Chunk;
     if constexpr (requires(host::ElementOf<Chunk> s) { Op::holds(s, s); }) {
-      Mask<L> result;
-      host::unroll<kChunks<L>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-        result.chunk[c] = static_cast<host::ChunkBits>(
-            active.chunk[c] & decide_lanes<Op>(chunk_of<Chunk>(operands, c)...));
-      });
-      return result;
+      return active & Mask<L>::of_chunks([&](auto c) LANESCOPE_INLINE_LAMBDA {
+               return decide_lanes<Op>(chunk_of<Chunk>(operands, c)...);
+             });
     } else {
       using R = decltype(apply_lanes<Op>(chunk_of<Chunk>(operands, 0)...));
       Vec<host::ElementOf<R>, L> result;
@@ -109,6 +105,24 @@ LANESCOPE_INLINE auto execute([[maybe_unused]] Mask<L> active, [[maybe_unused]] 
       return result;
     }
   }
+}
+
+/// How operands are passed to a call: vectors where they are, others in registers.
+template <class T>
+using Passed = std::conditional_t<sizeof(T) <= sizeof(std::uint64_t), const T, const T&>;
+
+template <class Op, int L, class... Operands>
+[[gnu::noinline]] auto execute_by_call(Mask<L> active, Width width, Passed<Operands>... operands) {
+  return execute_in_line<Op, L>(active, width, operands...);
+}
+
+/// Executes an instruction on plain values. Requires that no lane from `width` on is active.
+template <class Op, int L, class... Operands>
+LANESCOPE_INLINE auto execute(Mask<L> active, Width width, const Operands&... operands) {
+  if constexpr (kInRegisters<L>)
+    return execute_in_line<Op, L>(active, width, operands...);
+  else
+    return execute_by_call<Op, L, Operands...>(active, width, operands...);
 }
 
 }  // namespace lanescope::detail

@@ -2,7 +2,7 @@
 // The host's side of the machine: a simulated vector is an array of chunks, each a vector type of
 // the compiler. Operators work on chunks as they do on scalars; what has no operator is here, for
 // a scalar (the definition) and for a chunk (the same, lane by lane, as fast as the host can).
-// Loads and stores are in host_memory.h.
+// Masks are in host_mask.h, loads and stores in host_memory.h.
 #pragma once
 
 #include <bit>
@@ -21,12 +21,30 @@
 #define LANESCOPE_INLINE [[gnu::always_inline]] inline
 #define LANESCOPE_INLINE_LAMBDA __attribute__((always_inline))
 
-namespace lanescope::host {
+// The kind of host that this translation unit is compiled for. Layouts of vectors and masks follow
+// it, so whatever they are part of is declared in an inline namespace of this name: parts compiled
+// for other kinds of host do not link with each other, where they would miscount.
+#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__) && defined(__AVX512BW__)
+#define LANESCOPE_AVX512 1
+#define LANESCOPE_HOST avx512
+#elif defined(__AVX2__)
+#define LANESCOPE_HOST avx2
+#elif defined(__SSE4_2__)
+#define LANESCOPE_HOST sse4
+#else
+#define LANESCOPE_HOST generic
+#endif
 
-/// Lanes of a chunk for a machine of width W. What W leaves of the last chunk is never active.
+namespace lanescope::host::inline LANESCOPE_HOST {
+
+/// Does nothing. A machine calls it, so that a program compiled for another kind of host than the
+/// library does not link.
+void require_same_host();
+
+/// Lanes of a chunk for a machine of W lanes. What W leaves of the last chunk is never active.
 template <int W>
 constexpr int chunk_lanes() {
-#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__) && defined(__AVX512BW__)
+#if defined(LANESCOPE_AVX512)
   if (W >= 16) return 16;
   if (W == 8) return 8;
 #elif defined(__AVX2__)
@@ -35,19 +53,12 @@ constexpr int chunk_lanes() {
   return 4;
 }
 
-#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__) && defined(__AVX512BW__)
-#define LANESCOPE_AVX512 1
-#endif
-
 template <class T, int N>
 struct ChunkOf {
   typedef T type __attribute__((vector_size(sizeof(T) * N)));
 };
 template <class T, int N>
 using Chunk = typename ChunkOf<T, N>::type;
-
-/// One bit a lane of a chunk: the host's mask register.
-using ChunkBits = std::uint16_t;
 
 template <class V>
 struct Element {
@@ -200,6 +211,42 @@ LANESCOPE_INLINE V max(V a, V b) {
   }
 }
 
+/// The bits of floats as int32 that are ordered as the floats are, with -0 below +0.
+template <Floats V>
+LANESCOPE_INLINE Rebind<V, std::int32_t> ordered_bits(V a) {
+  const auto bits = bits_as<std::int32_t>(a);
+  return bits ^ (bits >> 31 & 0x7fffffff);
+}
+/// The inverse of ordered_bits().
+LANESCOPE_INLINE float from_ordered_bits(std::int32_t bits) {
+  return bits_as<float>(bits ^ (bits >> 31 & 0x7fffffff));
+}
+
+/// maximumNumber of IEEE 754-2019 of two scalars: a number before not-a-number, +0 before -0, so
+/// that it does not depend on their order.
+template <Scalar T>
+T maximum_number(T a, T b) {
+  if constexpr (std::is_integral_v<T>) {
+    return max(a, b);
+  } else {
+    if (a != a && b != b) return std::numeric_limits<T>::quiet_NaN();
+    if (a != a || b != b) return a != a ? b : a;
+    return ordered_bits(a) < ordered_bits(b) ? b : a;
+  }
+}
+
+/// minimumNumber of IEEE 754-2019: a number before not-a-number, -0 before +0.
+template <Scalar T>
+T minimum_number(T a, T b) {
+  if constexpr (std::is_integral_v<T>) {
+    return min(a, b);
+  } else {
+    if (a != a && b != b) return std::numeric_limits<T>::quiet_NaN();
+    if (a != a || b != b) return a != a ? b : a;
+    return ordered_bits(a) < ordered_bits(b) ? a : b;
+  }
+}
+
 /// Correctly rounded square root.
 template <Floats V>
 LANESCOPE_INLINE V sqrt(V a) {
@@ -294,144 +341,27 @@ LANESCOPE_INLINE Rebind<V, float> to_float(V a) {
     return __builtin_convertvector(a, Rebind<V, float>);
 }
 
+/// Number of set bits of each lane.
 template <Integers V>
 LANESCOPE_INLINE V popcount(V a) {
+  const auto lane = [](auto x) {
+    return decltype(x)(std::popcount(static_cast<std::uint32_t>(x)));
+  };
 #if defined(LANESCOPE_AVX512) && defined(__AVX512VPOPCNTDQ__)
   if constexpr (sizeof(V) == 64) return (V)_mm512_popcnt_epi32((__m512i)a);
 #endif
-  return map<V>([](auto x) { return decltype(x)(std::popcount(static_cast<std::uint32_t>(x))); },
-                a);
-}
-
-/// Number of set bits; the compiler's own would narrow the operand and then widen the result.
-LANESCOPE_INLINE int count_bits(std::uint64_t bits) {
-#ifdef __SSE4_2__
-  return static_cast<int>(_mm_popcnt_u64(bits));
-#else
-  return std::popcount(bits);
-#endif
-}
-
-/// The bits of two chunks of 16 lanes as one word.
-LANESCOPE_INLINE std::uint32_t join_chunks(ChunkBits low, ChunkBits high) {
-#ifdef LANESCOPE_AVX512
-  return _mm512_kunpackw(high, low);
-#else
-  return low | std::uint32_t{high} << 16;
-#endif
-}
-
-/// Two words of 32 lanes as one.
-LANESCOPE_INLINE std::uint64_t join_halves(std::uint32_t low, std::uint32_t high) {
-#ifdef LANESCOPE_AVX512
-  return _mm512_kunpackd(high, low);
-#else
-  return low | std::uint64_t{high} << 32;
-#endif
-}
-
-/// -1 in the lanes of `bits`, 0 elsewhere.
-template <int N>
-LANESCOPE_INLINE Chunk<std::int32_t, N> expand_bits(ChunkBits bits) {
-#ifdef LANESCOPE_AVX512
-  if constexpr (N == 16) return (Chunk<std::int32_t, N>)_mm512_movm_epi32(bits);
-  if constexpr (N == 8)
-    return (Chunk<std::int32_t, N>)_mm256_movm_epi32(static_cast<__mmask8>(bits));
-#endif
-  const auto bit = broadcast<Chunk<std::uint32_t, N>>(1u) << (Chunk<std::uint32_t, N>)iota<N>(0);
-  return (bit & std::uint32_t{bits}) != 0;
-}
-
-/// The sign bit of each lane of a comparison's result.
-template <int N>
-LANESCOPE_INLINE ChunkBits collect_bits(Chunk<std::int32_t, N> lanes) {
-#ifdef __AVX2__
-  if constexpr (N == 8) return static_cast<ChunkBits>(_mm256_movemask_ps((__m256)lanes));
-#endif
-#ifdef __SSE4_2__
-  if constexpr (N == 4) return static_cast<ChunkBits>(_mm_movemask_ps((__m128)lanes));
-#endif
-  unsigned bits = 0;
-  for (int i = 0; i < N; ++i) bits |= static_cast<unsigned>(lanes[i] < 0) << i;
-  return static_cast<ChunkBits>(bits);
-}
-
-enum class Relation { kEqual, kNotEqual, kLess, kLessEqual };
-
-/// Whether the relation holds; false for not-a-number except kNotEqual, as in C++.
-template <Relation R, class V>
-LANESCOPE_INLINE auto relate(V a, V b) {
-  if constexpr (R == Relation::kEqual)
-    return a == b;
-  else if constexpr (R == Relation::kNotEqual)
-    return a != b;
-  else if constexpr (R == Relation::kLess)
-    return a < b;
-  else
-    return a <= b;
-}
-
-/// The lanes in which the relation holds.
-template <Relation R, class V>
-LANESCOPE_INLINE ChunkBits compare(V a, V b) {
-#ifdef LANESCOPE_AVX512
-  constexpr int kFloat = R == Relation::kEqual      ? _CMP_EQ_OQ
-                         : R == Relation::kNotEqual ? _CMP_NEQ_UQ
-                         : R == Relation::kLess     ? _CMP_LT_OQ
-                                                    : _CMP_LE_OQ;
-  constexpr int kInteger = R == Relation::kEqual      ? _MM_CMPINT_EQ
-                           : R == Relation::kNotEqual ? _MM_CMPINT_NE
-                           : R == Relation::kLess     ? _MM_CMPINT_LT
-                                                      : _MM_CMPINT_LE;
-  using T = ElementOf<V>;
-  if constexpr (sizeof(V) == 64) {
-    if constexpr (Floats<V>)
-      return _mm512_cmp_ps_mask(a, b, kFloat);
-    else if constexpr (std::is_signed_v<T>)
-      return _mm512_cmp_epi32_mask((__m512i)a, (__m512i)b, kInteger);
-    else
-      return _mm512_cmp_epu32_mask((__m512i)a, (__m512i)b, kInteger);
+  if constexpr (Scalar<V>) {
+    return lane(a);
+  } else {
+    // Adds neighbours: bits, pairs, nibbles, and then the four bytes of a lane.
+    auto x = bits_as<std::uint32_t>(a);
+    x -= x >> 1 & 0x55555555u;
+    x = (x & 0x33333333u) + (x >> 2 & 0x33333333u);
+    x = (x + (x >> 4)) & 0x0f0f0f0fu;
+    return wrapped<V>(x * 0x01010101u >> 24);
   }
-  if constexpr (sizeof(V) == 32) {
-    if constexpr (Floats<V>)
-      return _mm256_cmp_ps_mask(a, b, kFloat);
-    else if constexpr (std::is_signed_v<T>)
-      return _mm256_cmp_epi32_mask((__m256i)a, (__m256i)b, kInteger);
-    else
-      return _mm256_cmp_epu32_mask((__m256i)a, (__m256i)b, kInteger);
-  }
-#endif
-  return collect_bits<kLanes<V>>((Chunk<std::int32_t, kLanes<V>>)relate<R>(a, b));
-}
-
-/// a where the bit is set, b elsewhere.
-template <class V>
-LANESCOPE_INLINE V blend(ChunkBits bits, V a, V b) {
-#ifdef LANESCOPE_AVX512
-  if constexpr (sizeof(V) == 64) return (V)_mm512_mask_blend_epi32(bits, (__m512i)b, (__m512i)a);
-  if constexpr (sizeof(V) == 32)
-    return (V)_mm256_mask_blend_epi32(static_cast<__mmask8>(bits), (__m256i)b, (__m256i)a);
-#endif
-  return expand_bits<kLanes<V>>(bits) ? a : b;
-}
-
-/// The lanes of `bits` that equal an earlier lane of `bits`.
-template <Integers V>
-LANESCOPE_INLINE ChunkBits conflicts(ChunkBits bits, V v) {
-#if defined(LANESCOPE_AVX512) && defined(__AVX512CD__)
-  if constexpr (sizeof(V) == 64)
-    return _mm512_mask_test_epi32_mask(bits, _mm512_conflict_epi32((__m512i)v),
-                                       _mm512_set1_epi32(bits));
-#endif
-  unsigned found = 0;
-  for (int i = 1; i < kLanes<V>; ++i) {
-    const unsigned earlier = bits & ((1u << i) - 1);
-    const auto equal = compare<Relation::kEqual>(v, broadcast<V>(v[i]));
-    found |= static_cast<unsigned>((earlier & equal) != 0) << i;
-  }
-  return static_cast<ChunkBits>(found & bits);
 }
 
 #undef LANESCOPE_HOST_FLOAT
 
-}  // namespace lanescope::host
+}  // namespace lanescope::host::inline LANESCOPE_HOST

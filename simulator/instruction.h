@@ -34,6 +34,9 @@ struct InstructionInfo {
   std::string_view meaning;
   InstructionClass instruction_class;
   Charge charge = Charge::kActiveLanes;
+  /// What it gives where a reader might expect something else: limits, zeros, not-a-number, no
+  /// active lane. The same on every host.
+  std::string_view edges = {};
 };
 
 /// Lanes charged for `executions` of an instruction in which `active` lanes were on altogether.

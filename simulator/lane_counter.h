@@ -6,7 +6,19 @@
 
 #include "simulator/vector.h"
 
-namespace lanescope {
+namespace lanescope::host::inline LANESCOPE_HOST {
+
+/// Counters of 16 bits in one host register, for a machine of W lanes: the lanes of a chunk, or of
+/// two.
+template <int W>
+constexpr int counters_of_16_bits() {
+  constexpr int kRegister = kMaskRegisters ? 32 : chunk_lanes<W>() == 8 ? 16 : 8;
+  return W % kRegister == 0 ? kRegister : chunk_lanes<W>();
+}
+
+}  // namespace lanescope::host::inline LANESCOPE_HOST
+
+namespace lanescope::inline LANESCOPE_HOST {
 
 /// Counters of 16 bits for W lanes. After kCapacity additions they must be taken and reset.
 /// Adding costs one masked add for 16 or 32 lanes on AVX-512.
@@ -14,9 +26,8 @@ template <int W>
 class LaneCounter {
  public:
   static constexpr std::int32_t kCapacity = 65535;
-  static constexpr int kChunksInGroup = kChunkLanes<W> == 16 && kChunks<W> % 2 == 0 ? 2 : 1;
-  static constexpr int kGroupLanes = kChunkLanes<W> * kChunksInGroup;
-  static constexpr int kGroups = kChunks<W> / kChunksInGroup;
+  static constexpr int kGroupLanes = host::counters_of_16_bits<W>();
+  static constexpr int kGroups = (W + kGroupLanes - 1) / kGroupLanes;
   static constexpr int kLanes = kGroupLanes * kGroups;
 
   /// Adds 1 to the lanes of the mask.
@@ -49,10 +60,12 @@ class LaneCounter {
 
   template <int G>
   LANESCOPE_INLINE static std::uint32_t bits_of_group(Mask<W> active) {
-    if constexpr (kChunksInGroup == 1)
-      return active.chunk[G];
-    else
+    if constexpr (host::kMaskRegisters && kGroupLanes == kChunkLanes<W>)
+      return active.chunk(G);
+    else if constexpr (host::kMaskRegisters)
       return active.template pair_bits<G>();
+    else
+      return static_cast<std::uint32_t>(active.bits() >> (G * kGroupLanes));
   }
 
   LANESCOPE_INLINE static Group increment(Group counts, std::uint32_t bits) {
@@ -69,10 +82,10 @@ class LaneCounter {
 #endif
     Group lane_bits;
     for (int i = 0; i < kGroupLanes; ++i) lane_bits[i] = static_cast<std::uint16_t>(1u << (i % 16));
-    return counts - (Group)((lane_bits & static_cast<std::uint16_t>(bits)) != 0);
+    return counts - (Group)((lane_bits & static_cast<std::uint16_t>(bits)) == lane_bits);
   }
 
   Group groups_[kGroups] = {};
 };
 
-}  // namespace lanescope
+}  // namespace lanescope::inline LANESCOPE_HOST

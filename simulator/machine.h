@@ -65,12 +65,16 @@ LANESCOPE_INLINE std::uint64_t signature_of() {
 // The slow paths are noexcept (out of memory ends the program): an exception's way out of the hot
 // loop would keep the counters in memory.
 
+inline namespace LANESCOPE_HOST {
+
 /// What a site has counted since it last handed its counts over: executions of one list.
 template <int L>
 struct SiteCounts {
   LaneCounter<L> lanes;
   std::uint64_t histogram[L + 1];
 };
+
+}  // namespace LANESCOPE_HOST
 
 template <int L>
 [[gnu::noinline, gnu::cold]] void hand_over(Tally& tally, std::size_t place,
@@ -93,6 +97,8 @@ template <int L>
 }
 
 }  // namespace detail
+
+inline namespace LANESCOPE_HOST {
 
 template <int L, Mode M>
 class Block;
@@ -249,8 +255,7 @@ class Block {
 /// A vector machine of L lanes, of which a run uses the first `width`; its counts are those of a
 /// machine that has just these. Not thread-safe; counts of several machines merge by addition.
 template <int L, Mode M>
-requires LaneCount<L> && (!is_slow(M))
-class Machine {
+requires LaneCount<L> &&(!is_slow(M)) class Machine {
  public:
   static constexpr int kLanes = L;
   /// Whether there are counts: bookkeeping of a kernel's own can be left out where there are none.
@@ -264,7 +269,9 @@ class Machine {
 
   /// Throws CheckError unless 1 <= width <= L.
   Machine(int width, std::size_t stage_count)
-      : tally_(detail::checked_width(width, L).lanes, stage_count) {}
+      : tally_(detail::checked_width(width, L).lanes, stage_count) {
+    host::require_same_host();
+  }
 
   LANESCOPE_INLINE int width() const { return tally_.width(); }
   /// All lanes of the width.
@@ -295,4 +302,5 @@ class Machine {
   Tally tally_;
 };
 
+}  // namespace LANESCOPE_HOST
 }  // namespace lanescope

@@ -37,9 +37,8 @@ void examine(SlowState& state, Mask<L> active, const std::source_location& at,
              const Operands&... operands) {
   if (state.checked) {
     [[maybe_unused]] int position = 0;
-    ((check_operand(Op::kInfo,
-                    lanes_read<Op>(position, active, state.width(), plain(operands)...), position,
-                    operands, at),
+    ((check_operand(Op::kInfo, lanes_read<Op>(position, active, state.width(), plain(operands)...),
+                    position, operands, at),
       ++position),
      ...);
   }
@@ -77,13 +76,14 @@ template <class Op, int L, class... Operands>
     execute<Op>(active, state.width(), plain(operands)...);
   } else {
     auto result = as_checked(execute<Op>(active, state.width(), plain(operands)...));
-    if (state.checked)
-      define_lanes(result, defined_lanes<Op>(active, state.width(), operands...));
+    if (state.checked) define_lanes(result, defined_lanes<Op>(active, state.width(), operands...));
     return result;
   }
 }
 
 }  // namespace detail
+
+inline namespace LANESCOPE_HOST {
 
 /// Code under one mask.
 template <int L>
@@ -159,11 +159,15 @@ class SlowMachine {
   /// Throws CheckError unless 1 <= width <= L. Requires a slow mode; a tracing machine needs an
   /// observer, which must outlive it, and others have none.
   SlowMachine(int width, std::size_t stage_count, Mode mode, Observer* observer = nullptr)
-      : state_{Tally(detail::checked_width(width, L).lanes, stage_count), mode == Mode::kChecked,
-               observer, {}, {}} {
+      : state_{Tally(detail::checked_width(width, L).lanes, stage_count),
+               mode == Mode::kChecked,
+               observer,
+               {},
+               {}} {
     LANESCOPE_CHECK(is_slow(mode), "{} is not a mode of a slow machine", to_string(mode));
     LANESCOPE_CHECK((observer != nullptr) == (mode == Mode::kTracing),
                     "a machine has an observer if and only if it is tracing");
+    host::require_same_host();
   }
 
   int width() const { return state_.width().lanes; }
@@ -191,4 +195,5 @@ class SlowMachine {
   detail::SlowState state_;
 };
 
+}  // namespace LANESCOPE_HOST
 }  // namespace lanescope

@@ -12,6 +12,7 @@
 #include "analysis/cli/values.h"
 #include "analysis/tables/table.h"
 #include "kernels/kernel.h"
+#include "simulator/instruction_reference.h"
 #include "simulator/instruction_set.h"
 #include "workloads/micropolygons/scene.h"
 
@@ -70,11 +71,17 @@ constexpr std::array<List, 4> kLists{{{"kernels", list_kernels},
                                       {"instructions", list_instructions},
                                       {"tables", list_tables}}};
 
-void list(const std::string& what) {
+void list(const std::string& what, bool reference) {
   std::vector<std::string> names;
   for (const List& list : kLists) names.emplace_back(list.name);
   if (what.empty()) throw InputError("list", "of what? Use {}", list_or(names));
   const std::string chosen = parse_name({"list", what}, "a list", names);
+  if (reference) {
+    if (chosen != "instructions")
+      throw InputError("--reference", "is of instructions, not of {}", chosen);
+    print(instruction_reference(instruction_set()));
+    return;
+  }
   for (const List& list : kLists)
     if (list.name == chosen) print(list.text());
 }
@@ -82,14 +89,16 @@ void list(const std::string& what) {
 Action declare(CLI::App& app) {
   const auto what = std::make_shared<std::string>();
   app.add_option("what", *what, "kernels, scenes, instructions or tables")->type_name("WHAT");
-  return [what] { list(*what); };
+  const auto reference = std::make_shared<bool>();
+  app.add_flag("--reference", *reference, "Of instructions: the whole reference, in Markdown");
+  return [what, reference] { list(*what, *reference); };
 }
 
 }  // namespace
 
 extern const Command c_list{"list", "Lists kernels, scenes, instructions or tables",
                             "  lanescope list kernels\n"
-                            "  lanescope list instructions",
+                            "  lanescope list instructions --reference",
                             declare};
 
 }  // namespace lanescope

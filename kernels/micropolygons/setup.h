@@ -93,9 +93,8 @@ LANESCOPE_INLINE void count_batch(RasterizerCounts& counts, const Batch<Vm, P>& 
                                   typename Vm::Lanes valid) {
   using Chunk = typename Vec<float, Vm::kLanes>::Chunk;
   const auto& area = Vm::look(batch.area);
-  typename Vm::Lanes away;
-  host::unroll<kChunks<Vm::kLanes>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-    away.chunk[c] = host::compare<host::Relation::kLess>(area.chunk[c], Chunk{});
+  const auto away = Vm::Lanes::of_chunks([&](auto c) LANESCOPE_INLINE_LAMBDA {
+    return host::compare<host::Relation::kLess>(area.chunk[c], Chunk{});
   });
   const auto seen = static_cast<std::uint64_t>(valid.count());
   const auto alive = static_cast<std::uint64_t>(batch.alive.count());
@@ -118,7 +117,7 @@ LANESCOPE_INLINE void count_boxes(RasterizerCounts& counts, const Box<Vm>& box,
   for (int first = 0; first < kChunks<Vm::kLanes>; first += kAddedUp) {
     Chunk sums{};
     for (int c = first; c < first + kAddedUp && c < kChunks<Vm::kLanes>; ++c)
-      sums += host::blend(with_candidates.chunk[c], candidates.chunk[c], Chunk{});
+      sums += host::blend(with_candidates.chunk(c), candidates.chunk[c], Chunk{});
     for (int i = 0; i < host::kLanes<Chunk>; ++i) tests += static_cast<std::uint32_t>(sums[i]);
   }
   counts[kTests] += tests;

@@ -36,10 +36,11 @@ struct Mul {
 };
 inline constexpr Instruction<Mul> mul;
 
-/// Integers truncate; x / 0 is all ones and the most negative int32 / -1 is itself, as in RISC-V.
+/// Integers as in RISC-V.
 struct Div {
-  static constexpr InstructionInfo kInfo{"div", "r[i] = a[i] / b[i]",
-                                         InstructionClass::kArithmetic};
+  static constexpr InstructionInfo kInfo{
+      "div", "r[i] = a[i] / b[i]", InstructionClass::kArithmetic, Charge::kActiveLanes,
+      "integers truncate; x / 0 has all bits set; the most negative int32 / -1 is itself"};
   template <host::Floats V>
   LANESCOPE_INLINE static V lane(V a, V b) {
     return a / b;
@@ -63,7 +64,9 @@ struct Fma {
 inline constexpr Instruction<Fma> fma;
 
 struct Neg {
-  static constexpr InstructionInfo kInfo{"neg", "r[i] = -a[i]", InstructionClass::kArithmetic};
+  static constexpr InstructionInfo kInfo{"neg", "r[i] = -a[i]", InstructionClass::kArithmetic,
+                                         Charge::kActiveLanes,
+                                         "the most negative int32 is its own negative"};
   template <class V>
   LANESCOPE_INLINE static V lane(V a) {
     return host::wrapped<V>(-host::wrapping(a));
@@ -71,9 +74,10 @@ struct Neg {
 };
 inline constexpr Instruction<Neg> neg;
 
-/// The most negative int32 is its own absolute value.
 struct Abs {
-  static constexpr InstructionInfo kInfo{"abs", "r[i] = |a[i]|", InstructionClass::kArithmetic};
+  static constexpr InstructionInfo kInfo{"abs", "r[i] = |a[i]|", InstructionClass::kArithmetic,
+                                         Charge::kActiveLanes,
+                                         "the most negative int32 is its own absolute value"};
   template <host::Floats V>
   LANESCOPE_INLINE static V lane(V a) {
     return host::bits_as<float>(host::bits_as<std::uint32_t>(a) & 0x7fffffffu);
@@ -85,9 +89,13 @@ struct Abs {
 };
 inline constexpr Instruction<Abs> abs;
 
+/// One host instruction, and the same lane by lane in any order of lanes. The rule of hmin and
+/// scatter_min, for which order matters, would cost five where there is no AVX-512, and there
+/// treats signalling not-a-number otherwise.
 struct Min {
-  static constexpr InstructionInfo kInfo{"min", "r[i] = a[i] < b[i] ? a[i] : b[i]",
-                                         InstructionClass::kArithmetic};
+  static constexpr InstructionInfo kInfo{
+      "min", "r[i] = a[i] < b[i] ? a[i] : b[i]", InstructionClass::kArithmetic,
+      Charge::kActiveLanes, "b[i] where a[i] or b[i] is not a number, and where both are zero"};
   template <class V>
   LANESCOPE_INLINE static V lane(V a, V b) {
     return host::min(a, b);
@@ -95,9 +103,11 @@ struct Min {
 };
 inline constexpr Instruction<Min> min;
 
+/// See Min.
 struct Max {
-  static constexpr InstructionInfo kInfo{"max", "r[i] = a[i] > b[i] ? a[i] : b[i]",
-                                         InstructionClass::kArithmetic};
+  static constexpr InstructionInfo kInfo{
+      "max", "r[i] = a[i] > b[i] ? a[i] : b[i]", InstructionClass::kArithmetic,
+      Charge::kActiveLanes, "b[i] where a[i] or b[i] is not a number, and where both are zero"};
   template <class V>
   LANESCOPE_INLINE static V lane(V a, V b) {
     return host::max(a, b);
@@ -107,7 +117,8 @@ inline constexpr Instruction<Max> max;
 
 struct Sqrt {
   static constexpr InstructionInfo kInfo{"sqrt", "r[i] = square root of a[i]",
-                                         InstructionClass::kArithmetic};
+                                         InstructionClass::kArithmetic, Charge::kActiveLanes,
+                                         "not-a-number below 0; -0 for -0"};
   template <host::Floats V>
   LANESCOPE_INLINE static V lane(V a) {
     return host::sqrt(a);
@@ -117,7 +128,8 @@ inline constexpr Instruction<Sqrt> sqrt;
 
 struct Rcp {
   static constexpr InstructionInfo kInfo{"rcp", "r[i] = 1 / a[i], correctly rounded",
-                                         InstructionClass::kArithmetic};
+                                         InstructionClass::kArithmetic, Charge::kActiveLanes,
+                                         "infinity, with the sign of a[i], for a zero"};
   template <host::Floats V>
   LANESCOPE_INLINE static V lane(V a) {
     return host::broadcast<V>(1.0f) / a;
@@ -127,7 +139,8 @@ inline constexpr Instruction<Rcp> rcp;
 
 struct Floor {
   static constexpr InstructionInfo kInfo{"floor", "r[i] = largest integer not above a[i]",
-                                         InstructionClass::kArithmetic};
+                                         InstructionClass::kArithmetic, Charge::kActiveLanes,
+                                         "-0, infinities and not-a-number stay"};
   template <host::Floats V>
   LANESCOPE_INLINE static V lane(V a) {
     return host::floor(a);
@@ -136,8 +149,9 @@ struct Floor {
 inline constexpr Instruction<Floor> floor;
 
 struct Ceil {
-  static constexpr InstructionInfo kInfo{"ceil", "r[i] = smallest integer not below a[i]",
-                                         InstructionClass::kArithmetic};
+  static constexpr InstructionInfo kInfo{
+      "ceil", "r[i] = smallest integer not below a[i]", InstructionClass::kArithmetic,
+      Charge::kActiveLanes, "-0 between -1 and 0; -0, infinities and not-a-number stay"};
   template <host::Floats V>
   LANESCOPE_INLINE static V lane(V a) {
     return host::ceil(a);

@@ -27,12 +27,13 @@ void touch(Mask<W> active, F&& f, Memory<T> memory, const Vec<std::int32_t, W>& 
 
 /// scatter_min(on, memory, index, v); likewise the others.
 struct ScatterMin {
-  static constexpr InstructionInfo kInfo{"scatter_min", "memory[index[i]] = min(itself, v[i])",
-                                         InstructionClass::kMemory};
+  static constexpr InstructionInfo kInfo{
+      "scatter_min", "memory[index[i]] = minimum of itself and v[i]", InstructionClass::kMemory,
+      Charge::kActiveLanes, "zeros and not-a-number as with hmin"};
   template <int W, class T>
   static void apply(Mask<W> active, Memory<T> memory, const Vec<std::int32_t, W>& index,
                     const Vec<T, W>& v) {
-    detail_atomic::update(active, memory, index, v, [](T x, T y) { return host::min(x, y); });
+    detail_atomic::update(active, memory, index, v, host::minimum_number<T>);
   }
   template <int W, class F, class T>
   static void touch(Mask<W> active, F&& f, Memory<T> memory, const Vec<std::int32_t, W>& index,
@@ -43,12 +44,13 @@ struct ScatterMin {
 inline constexpr Instruction<ScatterMin> scatter_min;
 
 struct ScatterMax {
-  static constexpr InstructionInfo kInfo{"scatter_max", "memory[index[i]] = max(itself, v[i])",
-                                         InstructionClass::kMemory};
+  static constexpr InstructionInfo kInfo{
+      "scatter_max", "memory[index[i]] = maximum of itself and v[i]", InstructionClass::kMemory,
+      Charge::kActiveLanes, "zeros and not-a-number as with hmax"};
   template <int W, class T>
   static void apply(Mask<W> active, Memory<T> memory, const Vec<std::int32_t, W>& index,
                     const Vec<T, W>& v) {
-    detail_atomic::update(active, memory, index, v, [](T x, T y) { return host::max(x, y); });
+    detail_atomic::update(active, memory, index, v, host::maximum_number<T>);
   }
   template <int W, class F, class T>
   static void touch(Mask<W> active, F&& f, Memory<T> memory, const Vec<std::int32_t, W>& index,
@@ -60,7 +62,8 @@ inline constexpr Instruction<ScatterMax> scatter_max;
 
 struct ScatterAdd {
   static constexpr InstructionInfo kInfo{"scatter_add", "memory[index[i]] += v[i]",
-                                         InstructionClass::kMemory};
+                                         InstructionClass::kMemory, Charge::kActiveLanes,
+                                         "lanes with the same index in lane order"};
   template <int W, class T>
   static void apply(Mask<W> active, Memory<T> memory, const Vec<std::int32_t, W>& index,
                     const Vec<T, W>& v) {

@@ -19,7 +19,8 @@ inline constexpr Instruction<ConvertToFloat> convert_to_float;
 struct ConvertToInt {
   static constexpr InstructionInfo kInfo{
       "convert_to_int", "r[i] = int32(a[i]), truncated; most negative where out of range",
-      InstructionClass::kConvert};
+      InstructionClass::kConvert, Charge::kActiveLanes,
+      "below -2147483648, 2147483648 and above, and not-a-number are out of range"};
   template <host::Floats V>
   LANESCOPE_INLINE static auto lane(V a) {
     return host::to_int(a);
@@ -30,7 +31,8 @@ inline constexpr Instruction<ConvertToInt> convert_to_int;
 struct ConvertToUint {
   static constexpr InstructionInfo kInfo{
       "convert_to_uint", "r[i] = uint32(a[i]), truncated; largest where out of range",
-      InstructionClass::kConvert};
+      InstructionClass::kConvert, Charge::kActiveLanes,
+      "-1 and below, 4294967296 and above, and not-a-number are out of range"};
   template <host::Floats V>
   LANESCOPE_INLINE static auto lane(V a) {
     return host::to_uint(a);
@@ -95,7 +97,7 @@ struct Select {
     R r;
     host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
       using Chunk = typename R::Chunk;
-      r.chunk[c] = host::blend(chosen.chunk[c], detail::chunk_of<Chunk>(a, c),
+      r.chunk[c] = host::blend(chosen.chunk(c), detail::chunk_of<Chunk>(a, c),
                                detail::chunk_of<Chunk>(b, c));
     });
     return r;

@@ -22,12 +22,13 @@ struct PrefixSum {
     using Uints = host::Chunk<std::uint32_t, N>;
     using Ints = host::Chunk<std::int32_t, N>;
     const Uints up_to = (host::broadcast<Uints>(2u) << (Uints)host::iota<N>(0)) - 1u;
+    const std::uint64_t both = (active & selected).bits();
     Vec<std::int32_t, L> r;
     int before = 0;
     host::unroll<kChunks<L>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-      const auto bits = static_cast<std::uint32_t>(active.chunk[c] & selected.chunk[c]);
+      const auto bits = static_cast<std::uint32_t>(both >> (c * N) & low_bits(N));
       r.chunk[c] = (Ints)host::popcount(up_to & bits) + before;
-      before += __builtin_popcount(bits);
+      before += host::count_bits(bits);
     });
     return r;
   }
@@ -48,7 +49,7 @@ struct Compress {
     alignas(64) T to[(kChunks<L> + 1) * kChunkLanes<L>];
     T* next = to;
     host::unroll<kChunks<L>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-      next += host::pack(moved.chunk[c], next, a.chunk[c]);
+      next += host::pack(moved.chunk(c), next, a.chunk[c]);
     });
     Vec<T, L> r;
     std::memcpy(r.chunk, to, sizeof r.chunk);
@@ -207,31 +208,59 @@ struct ExclusiveScan {
 };
 inline constexpr Instruction<ExclusiveScan> exclusive_scan;
 
+namespace detail_cross_lane {
+
+/// Lane by lane: for hosts that cannot look for conflicts in a whole chunk.
+template <int L, class T>
+[[gnu::noinline]] Mask<L> conflicts(Mask<L> active, const Vec<T, L>& a) {
+  constexpr int N = kChunkLanes<L>;
+  const auto lanes = a.lanes();
+  const std::uint64_t bits = active.bits();
+  std::uint64_t found = 0;
+  for_each_lane(active, [&](int i) {
+    const auto key = host::broadcast<typename Vec<T, L>::Chunk>(lanes[static_cast<std::size_t>(i)]);
+    std::uint64_t equal = 0;
+    for (int c = 0; c * N < i; ++c) {
+      const auto mask = host::compare<host::Relation::kEqual>(a.chunk[c], key);
+      equal |= std::uint64_t{host::bits_of_mask<N>(mask)} << (c * N);
+    }
+    found |= std::uint64_t{(equal & bits & low_bits(i)) != 0} << i;
+  });
+  return Mask<L>::from_bits(found);
+}
+
+}  // namespace detail_cross_lane
+
 struct Conflict {
   static constexpr InstructionInfo kInfo{"conflict", "m[i] = some active j < i has a[j] == a[i]",
                                          InstructionClass::kScan};
   template <int L, host::Integers T>
   LANESCOPE_INLINE static Mask<L> apply(Mask<L> active, const Vec<T, L>& a) {
-    using Chunk = typename Vec<T, L>::Chunk;
-    const auto lanes = a.lanes();
-    Mask<L> result;
-    host::unroll<kChunks<L>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-      unsigned bits = host::conflicts(active.chunk[c], a.chunk[c]);
-      if constexpr (c > 0) {
-        for (unsigned left = active.chunk[c] & ~bits; left != 0; left &= left - 1) {
-          const int i = std::countr_zero(left);
-          const auto key =
-              host::broadcast<Chunk>(lanes[static_cast<std::size_t>(c * kChunkLanes<L> + i)]);
-          unsigned equal = 0;
-          host::unroll<c>([&](auto d) LANESCOPE_INLINE_LAMBDA {
-            equal |= active.chunk[d] & host::compare<host::Relation::kEqual>(a.chunk[d], key);
-          });
-          bits |= static_cast<unsigned>(equal != 0) << i;
+    if constexpr (!host::kMaskRegisters) {
+      return detail_cross_lane::conflicts(active, a);
+    } else {
+      constexpr int N = kChunkLanes<L>;
+      using Chunk = typename Vec<T, L>::Chunk;
+      const auto lanes = a.lanes();
+      return Mask<L>::of_chunks([&](auto c) LANESCOPE_INLINE_LAMBDA {
+        const std::uint32_t on = host::bits_of_mask<N>(active.chunk(c));
+        std::uint32_t bits = host::conflicts(on, a.chunk[c]);
+        if constexpr (c > 0) {
+          for (std::uint32_t left = on & ~bits; left != 0; left &= left - 1) {
+            const int i = std::countr_zero(left);
+            const auto key = host::broadcast<Chunk>(lanes[static_cast<std::size_t>(c * N + i)]);
+            std::uint32_t equal = 0;
+            host::unroll<c>([&](auto d) LANESCOPE_INLINE_LAMBDA {
+              equal |=
+                  host::bits_of_mask<N>(active.chunk(d)) &
+                  host::bits_of_mask<N>(host::compare<host::Relation::kEqual>(a.chunk[d], key));
+            });
+            bits |= static_cast<std::uint32_t>(equal != 0) << i;
+          }
         }
-      }
-      result.chunk[c] = static_cast<host::ChunkBits>(bits);
-    });
-    return result;
+        return host::mask_of_bits<N>(bits);
+      });
+    }
   }
 };
 inline constexpr Instruction<Conflict> conflict;

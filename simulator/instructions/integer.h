@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Integer and bit instructions on each lane. Shift and rotate counts are taken modulo 32.
+// Integer and bit instructions on each lane.
 #pragma once
 
 #include "simulator/issue.h"
@@ -56,7 +56,9 @@ struct BitNot {
 inline constexpr Instruction<BitNot> bit_not;
 
 struct Shl {
-  static constexpr InstructionInfo kInfo{"shl", "r[i] = a[i] << b[i]", InstructionClass::kInteger};
+  static constexpr InstructionInfo kInfo{"shl", "r[i] = a[i] << b[i]", InstructionClass::kInteger,
+                                         Charge::kActiveLanes,
+                                         "b[i] is taken modulo 32: 32 is 0, -1 is 31"};
   template <host::Integers V>
   LANESCOPE_INLINE static V lane(V a, V b) {
     return host::wrapped<V>(host::wrapping(a) << (host::wrapping(b) & 31u));
@@ -66,7 +68,8 @@ inline constexpr Instruction<Shl> shl;
 
 struct Shr {
   static constexpr InstructionInfo kInfo{"shr", "r[i] = a[i] >> b[i], keeping the sign of int32",
-                                         InstructionClass::kInteger};
+                                         InstructionClass::kInteger, Charge::kActiveLanes,
+                                         "b[i] is taken modulo 32: 32 is 0, -1 is 31"};
   template <host::Integers V>
   LANESCOPE_INLINE static V lane(V a, V b) {
     return a >> (b & 31);
@@ -76,7 +79,8 @@ inline constexpr Instruction<Shr> shr;
 
 struct Rotl {
   static constexpr InstructionInfo kInfo{"rotl", "r[i] = a[i] rotated left by b[i]",
-                                         InstructionClass::kInteger};
+                                         InstructionClass::kInteger, Charge::kActiveLanes,
+                                         "b[i] is taken modulo 32: 32 is 0, -1 is 31"};
   template <host::Integers V>
   LANESCOPE_INLINE static V lane(V a, V b) {
     const auto left = host::wrapping(b) & 31u;
@@ -96,10 +100,10 @@ struct Popcount {
 };
 inline constexpr Instruction<Popcount> popcount;
 
-/// 32 for 0.
 struct Clz {
   static constexpr InstructionInfo kInfo{"clz", "r[i] = number of leading zero bits of a[i]",
-                                         InstructionClass::kInteger};
+                                         InstructionClass::kInteger, Charge::kActiveLanes,
+                                         "32 for 0"};
   static std::uint32_t lane(std::uint32_t a) {
     return static_cast<std::uint32_t>(std::countl_zero(a));
   }
@@ -107,10 +111,10 @@ struct Clz {
 };
 inline constexpr Instruction<Clz> clz;
 
-/// 32 for 0.
 struct Ctz {
   static constexpr InstructionInfo kInfo{"ctz", "r[i] = number of trailing zero bits of a[i]",
-                                         InstructionClass::kInteger};
+                                         InstructionClass::kInteger, Charge::kActiveLanes,
+                                         "32 for 0"};
   static std::uint32_t lane(std::uint32_t a) {
     return static_cast<std::uint32_t>(std::countr_zero(a));
   }

@@ -53,7 +53,8 @@ inline constexpr Instruction<MaskNot> mask_not;
 
 struct Any {
   static constexpr InstructionInfo kInfo{"any", "whether some active lane of a is on",
-                                         InstructionClass::kMask};
+                                         InstructionClass::kMask, Charge::kActiveLanes,
+                                         "false if no lane is active"};
   template <int W>
   LANESCOPE_INLINE static bool apply(Mask<W> active, Mask<W> a) {
     return (active & a).any();
@@ -63,7 +64,8 @@ inline constexpr Instruction<Any> any;
 
 struct All {
   static constexpr InstructionInfo kInfo{"all", "whether every active lane of a is on",
-                                         InstructionClass::kMask};
+                                         InstructionClass::kMask, Charge::kActiveLanes,
+                                         "true if no lane is active"};
   template <int W>
   LANESCOPE_INLINE static bool apply(Mask<W> active, Mask<W> a) {
     return !(active & ~a).any();
@@ -73,7 +75,8 @@ inline constexpr Instruction<All> all;
 
 struct None {
   static constexpr InstructionInfo kInfo{"none", "whether no active lane of a is on",
-                                         InstructionClass::kMask};
+                                         InstructionClass::kMask, Charge::kActiveLanes,
+                                         "true if no lane is active"};
   template <int W>
   LANESCOPE_INLINE static bool apply(Mask<W> active, Mask<W> a) {
     return !(active & a).any();

@@ -34,7 +34,7 @@ template <int Stride, int W, class T>
 LANESCOPE_INLINE Vec<T, W> gather(Mask<W> active, const T* base, const Vec<std::int32_t, W>& index,
                                   Vec<T, W> rest) {
   host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-    rest.chunk[c] = host::gather<Stride>(active.chunk[c], base, index.chunk[c], rest.chunk[c]);
+    rest.chunk[c] = host::gather<Stride>(active.chunk(c), base, index.chunk[c], rest.chunk[c]);
   });
   return rest;
 }
@@ -43,7 +43,7 @@ template <int Stride, int W, class T>
 LANESCOPE_INLINE void scatter(Mask<W> active, T* base, const Vec<std::int32_t, W>& index,
                               const Vec<T, W>& v) {
   host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-    host::scatter<Stride>(active.chunk[c], base, index.chunk[c], v.chunk[c]);
+    host::scatter<Stride>(active.chunk(c), base, index.chunk[c], v.chunk[c]);
   });
 }
 
@@ -60,7 +60,7 @@ struct Load {
       Vec<std::remove_const_t<T>, W> rest = detail_memory::zero<T, W>()) {
     host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
       rest.chunk[c] =
-          host::load(active.chunk[c], memory.data + offset + c * kChunkLanes<W>, rest.chunk[c]);
+          host::load(active.chunk(c), memory.data + offset + c * kChunkLanes<W>, rest.chunk[c]);
     });
     return rest;
   }
@@ -79,7 +79,7 @@ struct Store {
   LANESCOPE_INLINE static void apply(Mask<W> active, Memory<T> memory, std::int64_t offset,
                                      const Vec<T, W>& v) {
     host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-      host::store(active.chunk[c], memory.data + offset + c * kChunkLanes<W>, v.chunk[c]);
+      host::store(active.chunk(c), memory.data + offset + c * kChunkLanes<W>, v.chunk[c]);
     });
   }
   template <int W, class F, class T>

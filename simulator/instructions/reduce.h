@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reductions of active lanes to a scalar, in lane order (so that sums of floats are the same on
-// every host). They are charged the lanes they read.
+// Reductions of active lanes to a scalar: sums in lane order, so that those of floats are the same
+// on every host; the others do not depend on it. They are charged the lanes they read.
 #pragma once
 
 #include <limits>
@@ -24,7 +24,7 @@ LANESCOPE_INLINE T fold_integers(Mask<W> active, const Vec<T, W>& a, T start, F&
   using Chunk = typename Vec<T, W>::Chunk;
   Chunk folded = host::broadcast<Chunk>(start);
   host::unroll<kChunks<W>>([&](auto c) LANESCOPE_INLINE_LAMBDA {
-    folded = f(folded, host::blend(active.chunk[c], a.chunk[c], host::broadcast<Chunk>(start)));
+    folded = f(folded, host::blend(active.chunk(c), a.chunk[c], host::broadcast<Chunk>(start)));
   });
   T result = start;
   for (int i = 0; i < kChunkLanes<W>; ++i) result = f(result, T(folded[i]));
@@ -46,42 +46,57 @@ constexpr T highest() {
     return std::numeric_limits<T>::max();
 }
 
+/// The largest (or smallest) of the active lanes, numbers before not-a-number; `none` if there are
+/// none. Does not depend on the order of lanes.
+template <int W, class T, class F>
+LANESCOPE_INLINE T extreme(Mask<W> active, const Vec<T, W>& a, T none, F&& f) {
+  if constexpr (std::is_integral_v<T>) {
+    return fold_integers(active, a, none, f);
+  } else {
+    const Mask<W> numbers = active & Mask<W>::of_chunks([&](auto c) LANESCOPE_INLINE_LAMBDA {
+                              return host::compare<host::Relation::kEqual>(a.chunk[c], a.chunk[c]);
+                            });
+    if (!numbers.any()) return active.any() ? std::numeric_limits<T>::quiet_NaN() : none;
+    Vec<std::int32_t, W> ordered;
+    host::unroll<kChunks<W>>(
+        [&](auto c) LANESCOPE_INLINE_LAMBDA { ordered.chunk[c] = host::ordered_bits(a.chunk[c]); });
+    return host::from_ordered_bits(fold_integers(numbers, ordered, host::ordered_bits(none), f));
+  }
+}
+
 }  // namespace detail_reduce
 
-/// The lowest value of the type if no lane is active.
+/// Floats are compared as integers of the same order, in which -0 is below +0: see ordered_bits().
 struct Hmax {
-  static constexpr InstructionInfo kInfo{"hmax", "maximum of the active a[i]",
-                                         InstructionClass::kReduce};
+  static constexpr InstructionInfo kInfo{
+      "hmax", "maximum of the active a[i]", InstructionClass::kReduce, Charge::kActiveLanes,
+      "not-a-number only if every active lane is that, else they do not count; +0 is above -0; "
+      "-infinity or the lowest integer if no lane is active"};
   template <int W, class T>
   LANESCOPE_INLINE static T apply(Mask<W> active, const Vec<T, W>& a) {
-    const auto larger = [](auto x, auto y) { return host::max(x, y); };
-    if constexpr (std::is_integral_v<T>)
-      return detail_reduce::fold_integers(active, a, detail_reduce::lowest<T>(), larger);
-    else
-      return detail_reduce::fold(active, a, detail_reduce::lowest<T>(), larger);
+    return detail_reduce::extreme(active, a, detail_reduce::lowest<T>(),
+                                  [](auto x, auto y) { return host::max(x, y); });
   }
 };
 inline constexpr Instruction<Hmax> hmax;
 
-/// The highest value of the type if no lane is active.
 struct Hmin {
-  static constexpr InstructionInfo kInfo{"hmin", "minimum of the active a[i]",
-                                         InstructionClass::kReduce};
+  static constexpr InstructionInfo kInfo{
+      "hmin", "minimum of the active a[i]", InstructionClass::kReduce, Charge::kActiveLanes,
+      "not-a-number only if every active lane is that, else they do not count; -0 is below +0; "
+      "infinity or the highest integer if no lane is active"};
   template <int W, class T>
   LANESCOPE_INLINE static T apply(Mask<W> active, const Vec<T, W>& a) {
-    const auto smaller = [](auto x, auto y) { return host::min(x, y); };
-    if constexpr (std::is_integral_v<T>)
-      return detail_reduce::fold_integers(active, a, detail_reduce::highest<T>(), smaller);
-    else
-      return detail_reduce::fold(active, a, detail_reduce::highest<T>(), smaller);
+    return detail_reduce::extreme(active, a, detail_reduce::highest<T>(),
+                                  [](auto x, auto y) { return host::min(x, y); });
   }
 };
 inline constexpr Instruction<Hmin> hmin;
 
-/// Integers wrap.
 struct Hadd {
   static constexpr InstructionInfo kInfo{"hadd", "sum of the active a[i], in lane order",
-                                         InstructionClass::kReduce};
+                                         InstructionClass::kReduce, Charge::kActiveLanes,
+                                         "begins with +0, which is also the sum of no lane"};
   template <int W, class T>
   static T apply(Mask<W> active, const Vec<T, W>& a) {
     return detail_reduce::fold(active, a, T{}, [](T x, T y) {
@@ -93,7 +108,8 @@ inline constexpr Instruction<Hadd> hadd;
 
 struct Hand {
   static constexpr InstructionInfo kInfo{"hand", "bitwise and of the active a[i]",
-                                         InstructionClass::kReduce};
+                                         InstructionClass::kReduce, Charge::kActiveLanes,
+                                         "all bits set if no lane is active"};
   template <int W, host::Integers T>
   static T apply(Mask<W> active, const Vec<T, W>& a) {
     return detail_reduce::fold(active, a, T(~T{}), [](T x, T y) { return T(x & y); });
@@ -103,7 +119,8 @@ inline constexpr Instruction<Hand> hand;
 
 struct Hor {
   static constexpr InstructionInfo kInfo{"hor", "bitwise or of the active a[i]",
-                                         InstructionClass::kReduce};
+                                         InstructionClass::kReduce, Charge::kActiveLanes,
+                                         "0 if no lane is active"};
   template <int W, host::Integers T>
   static T apply(Mask<W> active, const Vec<T, W>& a) {
     return detail_reduce::fold(active, a, T{}, [](T x, T y) { return T(x | y); });

@@ -56,6 +56,7 @@ const std::vector<BadLine> kBadLines{
      "list: 'kernel' is not a list; use kernels, scenes, instructions or tables; did you mean "
      "'kernels'?"},
     {"list kernels scenes", "list: unexpected argument 'scenes'"},
+    {"list kernels --reference", "--reference: is of instructions, not of kernels"},
     // Kernels.
     {"run --kernel repak",
      "--kernel: 'repak' is not a kernel; use rastmp, lockstep or repack; did you mean 'repack'?"},
