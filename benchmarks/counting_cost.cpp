@@ -11,7 +11,8 @@
 
 #include "benchmarks/w1.h"
 #include "kernels/kernel.h"
-#include "workloads/micropolygons/scene.h"
+#include "kernels/micropolygons/frame.h"
+#include "workloads/micropolygons/surface_scene.h"
 #include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
@@ -64,7 +65,7 @@ constexpr int kWidthPx = 480, kHeightPx = 300;
 
 /// The packets of a scene, kept: tessellation is not what is measured.
 std::vector<Packet> make_packets() {
-  const SceneDescriptor& descriptor = find_scene("ballroll");
+  const SurfaceScene& descriptor = find_surface_scene("ballroll");
   const Scene scene = descriptor.build(descriptor.default_frame);
   TessellationOptions options;
   options.width_px = kWidthPx;
@@ -80,9 +81,10 @@ std::vector<Packet> make_packets() {
 void measure_kernel(const Kernel& kernel, int width, const std::vector<Packet>& packets) {
   const SampleGrid grid(kWidthPx, kHeightPx, 4, true, 1);
   Frame frame(grid);
+  const Arguments defaults;
   const auto run = [&](Mode mode) {
-    return [&, execution = kernel.start({width, mode, {}, frame})]() mutable {
-      for (const Packet& packet : packets) execution->rasterize(packet);
+    return [&, execution = kernel.start({width, mode, defaults, frame})]() mutable {
+      for (const Packet& packet : packets) execution->run(packet);
     };
   };
   fmt::print("{:<9} {:>3} {:>22.3f}\n", kernel.name, width,

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "kernels/kernel.h"
 
-#include <algorithm>
-
-#include "kernels/widths.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {
-
 namespace {
 
 void add_up(std::vector<std::uint64_t>& to, const std::vector<std::uint64_t>& from) {
@@ -19,24 +15,20 @@ void add_up(std::vector<std::uint64_t>& to, const std::vector<std::uint64_t>& fr
 
 void merge(const Kernel& kernel, KernelResult& into, const KernelResult& from) {
   into.counts += from.counts;
-  into.hits_hash += from.hits_hash;
+  into.results_hash += from.results_hash;
   for (std::size_t i = 0; i < kernel.series.size(); ++i) add_up(into.series[i], from.series[i]);
-  for (std::size_t i = 0; i < kernel.counters.size(); ++i) {
-    if (kernel.counters[i].merge == Merge::kMaximum)
-      into.counters[i] = std::max(into.counters[i], from.counters[i]);
-    else
-      into.counters[i] += from.counters[i];
-  }
+  merge_counters(kernel.counters, into.counters, from.counters);
 }
 
-std::span<const int> built_widths() { return kBuiltWidths; }
+const Kernel* known_kernel(std::string_view name) {
+  for (const Kernel* kernel : kernels())
+    if (kernel->name == name) return kernel;
+  return nullptr;
+}
 
 const Kernel& find_kernel(std::string_view name) {
-  std::vector<std::string> names;
-  for (const Kernel* kernel : kernels()) {
-    if (kernel->name == name) return *kernel;
-    names.emplace_back(kernel->name);
-  }
+  if (const Kernel* kernel = known_kernel(name)) return *kernel;
+  const std::vector<std::string> names = names_of(kernels());
   throw InputError("--kernel", "there is no kernel '{}'{} (one of: {})", name,
                    did_you_mean(name, names), fmt::join(names, ", "));
 }

@@ -34,8 +34,8 @@ void fail_stage(std::size_t stage, std::size_t stage_count) {
 
 void fail_dead_lane(const InstructionInfo& info, int operand, int lane,
                     const std::source_location& at) {
-  fail(info, lane_name(lane), at,
-       "operand {} is read, but the lane was off when it was computed", operand + 1);
+  fail(info, lane_name(lane), at, "operand {} is read, but the lane was off when it was computed",
+       operand + 1);
 }
 
 void fail_bounds(const InstructionInfo& info, int lane, std::int64_t element, std::size_t size,
@@ -52,8 +52,7 @@ void fail_unwritten(const InstructionInfo& info, int lane, std::int64_t element,
 
 void fail_beyond_width(std::uint64_t active, Width width, const std::source_location& at) {
   throw CheckError(fmt::format("{}:{}: a block has lane {} on, of a machine that is {} wide",
-                               at.file_name(), at.line(), std::bit_width(active) - 1,
-                               width.lanes));
+                               at.file_name(), at.line(), std::bit_width(active) - 1, width.lanes));
 }
 
 void StoredElements::require_distinct(const InstructionInfo& info, std::string_view memory,

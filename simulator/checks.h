@@ -172,19 +172,18 @@ void poison_dead_lanes(CheckedVec<T, L>& v, Mask<L> defined) {
 }
 
 /// A result as the program of a slow machine sees it; pairs of vectors element by element.
-template <class T, int L>
-CheckedVec<T, L> as_checked(const Vec<T, L>& result) {
-  return {result, Mask<L>::none()};
-}
 template <class R>
-auto as_checked(const R& result) {
-  if constexpr (requires {
-                  result.first;
-                  result.second;
-                })
+LANESCOPE_INLINE auto as_checked(const R& result) {
+  if constexpr (kIsVec<R>) {
+    return CheckedVec<typename R::Element, R::kLanes>{result};
+  } else if constexpr (requires {
+                         result.first;
+                         result.second;
+                       }) {
     return std::pair(as_checked(result.first), as_checked(result.second));
-  else
+  } else {
     return result;
+  }
 }
 
 /// Poisons the dead lanes of a result.

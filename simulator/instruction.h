@@ -2,6 +2,7 @@
 // What describes an instruction: name, meaning, class, what it charges. See docs/conventions.md.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -13,6 +14,8 @@ enum class Charge {
   kAllLanes,     ///< All W lanes, whatever the mask.
   kOneLane,      ///< One lane.
 };
+
+inline constexpr std::array kCharges{Charge::kActiveLanes, Charge::kAllLanes, Charge::kOneLane};
 
 enum class InstructionClass {
   kArithmetic,
@@ -26,6 +29,12 @@ enum class InstructionClass {
   kScan,
   kSpecial
 };
+
+inline constexpr std::array kInstructionClasses{
+    InstructionClass::kArithmetic, InstructionClass::kInteger, InstructionClass::kCompare,
+    InstructionClass::kConvert,    InstructionClass::kMove,    InstructionClass::kMask,
+    InstructionClass::kMemory,     InstructionClass::kReduce,  InstructionClass::kScan,
+    InstructionClass::kSpecial};
 
 /// The descriptor that every instruction struct carries as `kInfo`; its address identifies the
 /// instruction, its mnemonic names it in reports and must be unique.

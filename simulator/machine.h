@@ -11,12 +11,12 @@
 //
 // Counting happens when a block ends. A block keeps a list of what it has issued, and a signature
 // of the list; in straight-line code the compiler folds both to constants, and all that runs is:
-// compare the signature with the site's, increment the histogram of active lanes, add the mask to
-// the lanes' counts. When the signature differs (the first execution, another path through a block
-// with branches) the list itself is handed to the Tally, so counts are exact always.
+// compare the signature with the site's, and write the mask to the site's log. When the signature
+// differs (the first execution, another path through a block with branches) what was logged goes to
+// the Tally, and the log begins again with the new list, so counts are exact always.
 //
-// A site is a local variable, and its address must not escape: counters that an output store may
-// alias cost a factor of two. Whatever leaves it is copied first.
+// A site is a local variable, and its address must not escape: what an output store may alias
+// would be loaded again and again.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,6 @@
 
 #include "simulator/base/error.h"
 #include "simulator/execute.h"
-#include "simulator/lane_counter.h"
 #include "simulator/mode.h"
 #include "simulator/tally.h"
 
@@ -54,41 +53,43 @@ constexpr std::uint64_t hash_number(std::uint64_t x) {
 template <class Op, bool kOverhead>
 LANESCOPE_INLINE std::uint64_t signature_of() {
   constexpr std::size_t kIndex = kInstructionIndex<Op>;
-  constexpr std::uint64_t kKind = hash_number(2 * kIndex + kOverhead + 1);
-  if constexpr (kIndex < InstructionSet::kSize)
+  if constexpr (kIndex < InstructionSet::kSize) {
+    constexpr std::uint64_t kKind = hash_number(2 * kIndex + kOverhead + 1);
     return kKind;
-  else
-    return kKind * (reinterpret_cast<std::uintptr_t>(&Op::kInfo) | 1) +
-           (reinterpret_cast<std::uintptr_t>(&Op::kInfo) >> 1);
+  } else {
+    return hash_number(reinterpret_cast<std::uintptr_t>(&Op::kInfo) + kOverhead);
+  }
 }
 
 // The slow paths are noexcept (out of memory ends the program): an exception's way out of the hot
-// loop would keep the counters in memory.
+// loop would keep in memory what belongs in registers.
 
-inline namespace LANESCOPE_HOST {
-
-/// What a site has counted since it last handed its counts over: executions of one list.
-template <int L>
-struct SiteCounts {
-  LaneCounter<L> lanes;
-  std::uint64_t histogram[L + 1];
-};
-
-}  // namespace LANESCOPE_HOST
-
-template <int L>
-[[gnu::noinline, gnu::cold]] void hand_over(Tally& tally, std::size_t place,
-                                            const SiteCounts<L>& counts) noexcept {
-  std::uint64_t lanes[L];
-  const auto narrow = counts.lanes.counts();
-  for (std::size_t i = 0; i < L; ++i) lanes[i] = narrow[i];
-  tally.add(place, lanes, counts.histogram);
+/// Begins a list of a site; its log, null at first, has masks before `next`. Returns the log.
+template <class Word>
+[[gnu::noinline, gnu::cold]] SiteLog* begin_list(Tally& tally, std::size_t stage, SiteLog* log,
+                                                 const Word* next, const IssueList& list) noexcept {
+  if (log) {
+    log->sum_up(next);
+    tally.take(*log);
+  } else {
+    log = &tally.open(stage);
+  }
+  log->list = list;
+  return log;
 }
 
-[[gnu::noinline, gnu::cold]] inline std::size_t keep(Tally& tally, std::size_t place,
-                                                     std::size_t stage,
-                                                     const IssueList& list) noexcept {
-  return tally.keep(place, stage, list);
+/// Sums up a full log. Returns where it begins.
+template <class Word>
+[[gnu::noinline, gnu::cold]] Word* sum_up(SiteLog& log) noexcept {
+  log.sum_up(log.end<Word>());
+  return log.begin<Word>();
+}
+
+template <class Word>
+[[gnu::noinline, gnu::cold]] void end_site(Tally& tally, SiteLog& log, const Word* next) noexcept {
+  log.sum_up(next);
+  tally.take(log);
+  tally.close(log);
 }
 
 [[gnu::noinline, gnu::cold]] inline void charge(Tally& tally, std::size_t stage, Issued issued,
@@ -113,9 +114,7 @@ class Site {
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
   LANESCOPE_INLINE ~Site() {
-    if (signature_ == 0) return;
-    hand_over();
-    tally_.forget(place_);
+    if (log_) detail::end_site(tally_, *log_, next_);
   }
 
   /// Opens a block of instructions that run under `active`. Requires that no lane from the
@@ -125,39 +124,12 @@ class Site {
  private:
   friend class Block<L, M>;
 
-  LANESCOPE_INLINE void hand_over() {
-    detail::SiteCounts<L> copy{lanes_.copy(), {}};
-    for (int k = 0; k <= L; ++k) copy.histogram[k] = histogram_[k];
-    detail::hand_over<L>(tally_, place_, copy);
-  }
-
-  LANESCOPE_INLINE void restart() {
-    lanes_.reset();
-    budget_ = LaneCounter<L>::kCapacity;
-    for (int k = 0; k <= L; ++k) histogram_[k] = 0;
-  }
-
-  /// Makes room in the lanes' counters for the execution that is about to be counted.
-  LANESCOPE_INLINE void renew() {
-    hand_over();
-    restart();
-    --budget_;
-  }
-
-  LANESCOPE_INLINE void executed(Mask<L> active) {
-    ++histogram_[active.count()];
-    lanes_.add(active);
-  }
-
   Tally& tally_;
   std::size_t stage_;
-  std::uint64_t signature_ = 0;  ///< Of the list that is being counted; 0 is none.
-  std::size_t place_ = Tally::kNoPlace;
-  // Executions of the list by lane and by number of active lanes. Copied element by element: a
-  // memcpy would take the site's address, and nothing of it could stay in a register.
-  LaneCounter<L> lanes_;
-  std::uint64_t histogram_[L + 1] = {};
-  std::int32_t budget_ = 0;  ///< Executions until the lanes' counters are full.
+  std::uint64_t signature_ = 0;  ///< Of the list that is being logged; 0 is none.
+  SiteLog* log_ = nullptr;
+  LoggedMask<L>* next_ = nullptr;  ///< Where the next mask goes in the log, and
+  LoggedMask<L>* end_ = nullptr;   ///< where the log is full.
 };
 
 /// Code under one mask. Instructions issued in it are charged when it ends.
@@ -220,15 +192,13 @@ class Block {
       if (signature_ == 0) return;
       if (site_.signature_ != signature_) [[unlikely]]
         switch_list();
-      if (--site_.budget_ < 0) [[unlikely]]
-        site_.renew();
-      site_.executed(active_);
+      *site_.next_++ = static_cast<LoggedMask<L>>(active_.bits());
+      if (site_.next_ == site_.end_) [[unlikely]]
+        site_.next_ = detail::sum_up<LoggedMask<L>>(*site_.log_);
     }
   }
 
   LANESCOPE_INLINE void switch_list() {
-    if (site_.signature_ != 0) site_.hand_over();
-    site_.restart();
     IssueList copy;
     host::unroll<IssueList::kWords>([&](auto i) LANESCOPE_INLINE_LAMBDA {
       copy.baseline[i] = baseline_[i];
@@ -238,7 +208,9 @@ class Block {
     host::unroll<IssueList::kForeign>([&](auto i) LANESCOPE_INLINE_LAMBDA {
       if (i < foreign_count_) copy.foreign[i] = foreign_[i];
     });
-    site_.place_ = detail::keep(site_.tally_, site_.place_, site_.stage_, copy);
+    site_.log_ = detail::begin_list(site_.tally_, site_.stage_, site_.log_, site_.next_, copy);
+    site_.next_ = site_.log_->template begin<LoggedMask<L>>();
+    site_.end_ = site_.log_->template end<LoggedMask<L>>();
     site_.signature_ = signature_;
   }
 

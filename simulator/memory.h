@@ -36,8 +36,7 @@ struct Memory {
 
   /// The elements begin ... begin + count - 1.
   Memory part(std::size_t begin, std::size_t count) const {
-    return {data + begin, count, name,
-            written ? written + begin : nullptr};
+    return {data + begin, count, name, written ? written + begin : nullptr};
   }
 
   /// A view for reading only.
@@ -66,9 +65,7 @@ class Buffer {
   }
 
   /// The buffer as kernels address it.
-  Memory<T> memory() {
-    return {data_.get(), size_, name_, written_.get()};
-  }
+  Memory<T> memory() { return {data_.get(), size_, name_, written_.get()}; }
   const T* data() const { return data_.get(); }
   /// Copies `count` elements to element `begin` and on, as the host, not as an instruction.
   void fill(std::size_t begin, const T* from, std::size_t count) {

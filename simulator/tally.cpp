@@ -37,44 +37,36 @@ Tally::Tally(int width, std::size_t stage_count) : width_(width), stages_(stage_
   }
 }
 
-std::size_t Tally::keep(std::size_t place, std::size_t stage, const IssueList& list) {
-  if (place == kNoPlace) {
-    if (free_.empty()) {
-      free_.push_back(kept_.size());
-      kept_.emplace_back();
-    }
-    place = free_.back();
-    free_.pop_back();
-  }
-  kept_[place] = {stage, list};
-  return place;
+SiteLog& Tally::open(std::size_t stage) {
+  if (free_.empty()) free_.push_back(logs_.emplace_back(std::make_unique<SiteLog>()).get());
+  SiteLog& log = *free_.back();
+  free_.pop_back();
+  log.stage = stage;
+  return log;
 }
 
-void Tally::add(std::size_t place, std::span<const std::uint64_t> lane_executions,
-                std::span<const std::uint64_t> histogram) {
-  const Kept& kept = kept_[place];
-  Stage& stage = stages_[kept.stage];
+void Tally::take(SiteLog& log) {
+  Stage& stage = stages_[log.stage];
   std::uint64_t executions = 0;
   std::uint64_t active = 0;
-  for (std::size_t k = 0; k < histogram.size(); ++k) {
-    executions += histogram[k];
-    active += histogram[k] * k;
+  for (std::size_t k = 0; k < log.sums.histogram.size(); ++k) {
+    executions += log.sums.histogram[k];
+    active += log.sums.histogram[k] * k;
   }
   std::uint64_t length = 0;
-  for_each_issued(kept.list, [&](Issued instruction, std::uint64_t times) {
-    length += times;
-    add(stage, instruction, times * executions, times * active);
-  });
-  const auto add_up = [&](std::vector<std::uint64_t>& to, std::span<const std::uint64_t> from) {
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      if (i < to.size())
-        to[i] += from[i] * length;
-      else
-        beyond_width_ |= from[i] != 0;
-    }
+  if (executions != 0) {
+    for_each_issued(log.list, [&](Issued instruction, std::uint64_t times) {
+      length += times;
+      add(stage, instruction, times * executions, times * active);
+    });
+  }
+  const auto add_up = [&](std::vector<std::uint64_t>& to, const auto& from) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i] * length;
+    for (std::size_t i = to.size(); i < from.size(); ++i) beyond_width_ |= from[i] != 0;
   };
-  add_up(stage.lane_active, lane_executions);
-  add_up(stage.histogram, histogram);
+  add_up(stage.lane_active, log.sums.lanes);
+  add_up(stage.histogram, log.sums.histogram);
+  log.sums = {};
 }
 
 void Tally::charge(std::size_t stage_index, Issued issued, std::uint64_t active) {
@@ -86,17 +78,30 @@ void Tally::charge(std::size_t stage_index, Issued issued, std::uint64_t active)
   }
   add(stage, issued, 1, lanes);
   ++stage.histogram[lanes];
-  for (std::size_t i = 0; i < stage.lane_active.size(); ++i) stage.lane_active[i] += active >> i & 1;
+  for (std::size_t i = 0; i < stage.lane_active.size(); ++i)
+    stage.lane_active[i] += active >> i & 1;
+}
+
+InstructionCounts& Tally::counts_of(Stage& stage, const InstructionInfo* info) {
+  // From the one charged last: programs issue the same few instructions in the same order.
+  std::vector<InstructionCounts>& all = stage.instructions;
+  for (std::size_t tried = 0; tried < all.size(); ++tried) {
+    if (stage.latest >= all.size()) stage.latest = 0;
+    if (all[stage.latest].info == info) return all[stage.latest];
+    ++stage.latest;
+  }
+  stage.latest = all.size();
+  return all.emplace_back(InstructionCounts{.info = info});
 }
 
 void Tally::add(Stage& stage, Issued instruction, std::uint64_t issued, std::uint64_t active) {
-  auto counts = std::ranges::find(stage.instructions, instruction.info, &InstructionCounts::info);
-  if (counts == stage.instructions.end())
-    counts = stage.instructions.insert(counts, {.info = instruction.info});
-  const std::uint64_t lanes =
-      charged_lanes(instruction.info->charge, issued, active, width_);
-  *counts += {instruction.info, issued, lanes, instruction.overhead ? issued : 0,
-              instruction.overhead ? lanes : 0};
+  InstructionCounts& counts = counts_of(stage, instruction.info);
+  const std::uint64_t lanes = charged_lanes(instruction.info->charge, issued, active, width_);
+  counts.issued += issued;
+  counts.active += lanes;
+  if (!instruction.overhead) return;
+  counts.overhead_issued += issued;
+  counts.overhead_active += lanes;
 }
 
 Counts Tally::counts() const {

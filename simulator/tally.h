@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The totals of a machine. A slow machine charges each instruction as it issues it. A fast one has
-// a list for each site, of what one execution of its block issues, and hands over how often, and
-// under which masks, the list was executed.
+// a log for each site: the list of what one execution of its block issues, and the masks under
+// which the list was executed.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "simulator/counts.h"
 #include "simulator/instruction_list.h"
+#include "simulator/mask_sums.h"
 
 namespace lanescope {
 
@@ -36,27 +36,44 @@ struct IssueList {
   int foreign_count = 0;
 };
 
+/// What a site has executed since it began its list.
+struct SiteLog {
+  /// The latest masks, as LoggedMask; how many, the site knows.
+  alignas(64) std::byte masks[MaskSums::kMostBytes];
+  MaskSums sums;  ///< Of those before.
+  IssueList list;
+  std::size_t stage;
+
+  template <class Word>
+  Word* begin() {
+    return reinterpret_cast<Word*>(masks);
+  }
+  template <class Word>
+  Word* end() {
+    return begin<Word>() + MaskSums::kMostBytes / sizeof(Word);
+  }
+  /// Takes the masks before `next` into the sums.
+  template <class Word>
+  void sum_up(const Word* next) {
+    sums.add<Word>(begin<Word>(), next);
+  }
+};
+
 /// Totals by stage and instruction. Its size does not depend on what a program does: a list is
-/// multiplied by its executions when a site hands them over, and kept no longer than the site.
+/// multiplied by its executions when its site ends or begins another one.
 class Tally {
  public:
-  static constexpr std::size_t kNoPlace = ~std::size_t{0};
-
   Tally(int width, std::size_t stage_count);
 
   int width() const { return width_; }
   std::size_t stage_count() const { return stages_.size(); }
 
-  /// Keeps the list of a site of the stage from now on; `place` is where its last one was, or
-  /// kNoPlace. Returns where it is.
-  std::size_t keep(std::size_t place, std::size_t stage, const IssueList& list);
-  /// The site that had this place has ended.
-  void forget(std::size_t place) { free_.push_back(place); }
-
-  /// Adds executions of the list at a place: lane_executions[i] of them with lane i on,
-  /// histogram[k] with k lanes on. Both may be longer than the machine is wide.
-  void add(std::size_t place, std::span<const std::uint64_t> lane_executions,
-           std::span<const std::uint64_t> histogram);
+  /// A log for a site of the stage. Requires stage < stage_count.
+  SiteLog& open(std::size_t stage);
+  /// Adds what was logged and summed up, and empties the log.
+  void take(SiteLog& log);
+  /// The site has ended, and its log has been taken.
+  void close(SiteLog& log) { free_.push_back(&log); }
 
   /// Adds one instruction, issued in a block in which the lanes of `active` are on. Requires
   /// stage < stage_count.
@@ -69,22 +86,20 @@ class Tally {
  private:
   struct Stage {
     std::vector<InstructionCounts> instructions;  ///< In the order of their first issue.
+    std::size_t latest = 0;                       ///< Place of the one charged last.
     std::vector<std::uint64_t> lane_active;
     std::vector<std::uint64_t> histogram;
   };
-  struct Kept {
-    std::size_t stage = 0;
-    IssueList list;
-  };
 
+  static InstructionCounts& counts_of(Stage& stage, const InstructionInfo* info);
   /// Adds `issued` executions in which `active` lanes were on altogether.
   void add(Stage& stage, Issued instruction, std::uint64_t issued, std::uint64_t active);
 
   int width_;
   std::vector<Stage> stages_;
-  std::vector<Kept> kept_;
-  std::vector<std::size_t> free_;  ///< Places in kept_ that no site has.
-  bool beyond_width_ = false;      ///< Some lane beyond the width was on.
+  std::vector<std::unique_ptr<SiteLog>> logs_;
+  std::vector<SiteLog*> free_;  ///< Those of logs_ that no site has.
+  bool beyond_width_ = false;   ///< Some lane beyond the width was on.
 };
 
 }  // namespace lanescope

@@ -168,6 +168,7 @@ template <class T, int W>
 requires LaneCount<W>
 struct Vec {
   using Element = T;
+  static constexpr int kLanes = W;
   using Chunk = host::Chunk<T, kChunkLanes<W>>;
 
   Chunk chunk[kChunks<W>] = {};

@@ -15,7 +15,7 @@ namespace {
 using LineKey = std::pair<std::string, std::uint32_t>;
 
 bool same_program(const Annotation& a, const Configuration& c) {
-  return a.kernel == c.kernel && a.width == c.width && a.shape == c.shape();
+  return a.kernel == c.kernel && a.width == c.width && a.facet == facet_of(c);
 }
 
 void add_stage(std::string& stages, const std::string& stage) {
@@ -28,8 +28,8 @@ void add_stage(std::string& stages, const std::string& stage) {
 void add_run(Annotation& annotation, std::map<LineKey, AnnotatedLine>& lines,
              const RunRecord& run) {
   annotation.scenes.push_back(run.configuration.scene);
-  annotation.observation.packets += run.observation.packets;
-  annotation.observation.packets_observed += run.observation.packets_observed;
+  annotation.pieces += run.source.pieces;
+  annotation.pieces_observed += run.source.pieces_observed;
   for (const SourceLineRecord& record : run.source_lines) {
     AnnotatedLine& line = lines[{record.file, record.line}];
     line.file = record.file;
@@ -96,7 +96,7 @@ std::string annotated_file(const Annotation& annotation, const SourceFile& file)
 }  // namespace
 
 std::string Annotation::title() const {
-  return fmt::format("{}, W = {}, {}s: {}", kernel, width, name_of(kShapes, shape),
+  return fmt::format("{}, W = {}{}{}: {}", kernel, width, facet.empty() ? "" : ", ", facet,
                      fmt::join(scenes, ", "));
 }
 
@@ -115,7 +115,7 @@ std::vector<Annotation> annotate(const Report& report) {
     const auto place = static_cast<std::size_t>(known - annotations.begin());
     if (known == annotations.end()) {
       const Configuration& c = run.configuration;
-      annotations.push_back({c.kernel, c.width, c.shape(), {}, {}, 0, {}});
+      annotations.push_back({c.kernel, c.width, facet_of(c), {}, 0, 0, 0, {}});
       lines.emplace_back();
     }
     add_run(annotations[place], lines[place], run);
@@ -137,8 +137,8 @@ TableData hottest_lines(const Annotation& annotation, std::size_t count) {
                   {}};
   for (std::size_t i = 0; i < std::min(count, annotation.lines.size()); ++i)
     table.rows.push_back(row_of(annotation, annotation.lines[i]));
-  table.caption = fmt::format("{} of {} packets", annotation.observation.packets_observed,
-                              annotation.observation.packets);
+  table.caption =
+      fmt::format("{} of {} pieces of work", annotation.pieces_observed, annotation.pieces);
   return table;
 }
 

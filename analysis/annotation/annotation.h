@@ -22,25 +22,25 @@ struct AnnotatedLine {
   std::uint64_t overhead = 0;  ///< Those of `issued` that the kernel marks as overhead.
 };
 
-/// The lines of one kernel at one width on one kind of micropolygon, summed over the scenes of a
-/// report.
+/// The lines of one kernel at one width and facet, summed over the scenes of a report.
 struct Annotation {
   std::string kernel;
   int width = 0;
-  Micropolygon shape = Micropolygon::kTriangle;
+  std::string facet;  ///< As facet_of() has it.
   std::vector<std::string> scenes;
-  Observation observation;           ///< What the sums are over.
-  std::uint64_t issued = 0;          ///< At all lines.
-  std::vector<AnnotatedLine> lines;  ///< Hottest first.
+  std::uint64_t pieces = 0;           ///< Of work.
+  std::uint64_t pieces_observed = 0;  ///< What the sums are over.
+  std::uint64_t issued = 0;           ///< At all lines.
+  std::vector<AnnotatedLine> lines;   ///< Hottest first.
 
-  /// `repack, W = 16, triangles: ballroll, talking`.
+  /// `<kernel>, W = <width>, <facet>: <scenes>`.
   std::string title() const;
   Ratio share(const AnnotatedLine& line) const { return {line.issued, issued}; }
   Ratio utilization(const AnnotatedLine& line) const;
 };
 
-/// An annotation for each kernel, width and kind of micropolygon of the report whose lines were
-/// observed, in the order of their first runs.
+/// An annotation for each kernel, width and facet of the report whose lines were observed, in the
+/// order of their first runs.
 std::vector<Annotation> annotate(const Report& report);
 
 /// The hottest `count` lines with their source, as a table.

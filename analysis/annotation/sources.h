@@ -9,7 +9,7 @@
 namespace lanescope {
 
 struct SourceFile {
-  std::string_view path;  ///< From the root of the sources: `kernels/micropolygons/stages.h`.
+  std::string_view path;  ///< From the root of the sources: `kernels/<kind>/<name>.h`.
   std::string_view text;
 };
 

@@ -139,13 +139,19 @@ double JsonCursor::number() const {
   return value_->get<double>();
 }
 
+double JsonCursor::number_from_0() const {
+  if (!value_->is_number() || value_->get<double>() < 0.0) fail("a number of at least 0");
+  return value_->get<double>();
+}
+
 std::uint64_t JsonCursor::hash() const {
   const std::string text = value_->is_string() ? value_->get<std::string>() : std::string();
   std::uint64_t hash = 0;
   const char* const end = text.data() + text.size();
   if (text.size() != 18 || text.compare(0, 2, "0x") != 0 ||
-      std::from_chars(text.data() + 2, end, hash, 16).ptr != end)
-    fail("a string of 0x and 16 hexadecimal digits");
+      std::from_chars(text.data() + 2, end, hash, 16).ptr != end ||
+      text.find_first_of("ABCDEF") != text.npos)
+    fail("a string of 0x and 16 hexadecimal digits, in small letters");
   return hash;
 }
 

@@ -36,6 +36,7 @@ class JsonCursor {
   JsonCursor member(std::string_view name) const;
   /// The names of the members in their order. Throws InputError if the value is not an object.
   std::vector<std::string> member_names() const;
+  const Json& value() const { return *value_; }
   bool is_array() const { return value_->is_array(); }
   /// The elements. Throws InputError if the value is not an array.
   std::vector<JsonCursor> items() const;
@@ -47,7 +48,8 @@ class JsonCursor {
   std::uint64_t count() const;
   int integer(int low, int high = std::numeric_limits<int>::max()) const;
   double number() const;
-  /// 64 bits as `0x` and 16 hexadecimal digits.
+  double number_from_0() const;
+  /// 64 bits as `0x` and 16 hexadecimal digits, in small letters.
   std::uint64_t hash() const;
 
   /// `file:/json/pointer`.

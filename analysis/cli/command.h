@@ -7,11 +7,9 @@
 #include <type_traits>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace lanescope {
+
+class CommandOptions;
 
 /// What runs a command once its options are parsed, and returns the exit status. It is made from a
 /// callable that returns the status, or from one that returns nothing: then the status is 0.
@@ -37,10 +35,11 @@ class Action {
 struct Command {
   std::string_view name;
   std::string_view summary;
-  std::string_view examples;  ///< Lines for the end of --help.
-  /// Declares the command's options on `app` and returns what runs it. That throws InputError for
-  /// the user's mistakes.
-  Action (*declare)(CLI::App& app);
+  /// Lines for the end of --help. Words in braces stand for what the program has: see with_words().
+  std::string_view examples;
+  /// Declares the command's options and returns what runs it. That throws InputError for the user's
+  /// mistakes. `options` outlives the action.
+  Action (*declare)(CommandOptions& options);
 };
 
 /// Every command, in the order of analysis/cli/CMakeLists.txt.

@@ -2,15 +2,13 @@
 // `lanescope compare`: what differs between two reports, with an exit status for scripts.
 #include "analysis/comparison/compare.h"
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
 
 #include "analysis/base/json_text.h"
-#include "analysis/cli/command.h"
+#include "analysis/cli/options.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/values.h"
-#include "analysis/configuration/configuration_json.h"
 #include "analysis/report/report_json.h"
 
 namespace lanescope {
@@ -24,7 +22,7 @@ enum class Form { kText, kMarkdown, kJson };
 constexpr std::array<Choice<Form>, 3> kForms{
     {{"text", Form::kText}, {"markdown", Form::kMarkdown}, {"json", Form::kJson}}};
 
-struct Arguments {
+struct Given {
   std::vector<std::string> reports;
   std::string ignore;
   std::string fail_over = "0";
@@ -49,20 +47,19 @@ double parse_share(const Argument& argument) {
 std::set<std::string> parse_ignored(const std::string& text) {
   std::set<std::string> ignored;
   if (text.empty()) return ignored;
-  for (const Argument& element : parse_list({"--ignore", text}))
-    ignored.insert(parse_name(element, "a parameter", parameter_names()));
+  for (const Argument& element : parse_list({"--ignore", text})) ignored.emplace(element.text);
   return ignored;
 }
 
-int run(const Arguments& arguments) {
-  const CompareOptions options{parse_share({"--fail-over", arguments.fail_over}),
-                               parse_ignored(arguments.ignore)};
-  const int limit = parse_integer({"--limit", arguments.limit}, 0, kMaxLimit);
-  const Form form = parse_choice({"--format", arguments.format}, kForms);
-  if (arguments.reports.size() != 2) throw InputError("compare", "name two reports: old and new");
-  Destination output(arguments.output);
-  const NamedReport before{arguments.reports[0], read_report(arguments.reports[0])};
-  const NamedReport after{arguments.reports[1], read_report(arguments.reports[1])};
+int run(const Given& given) {
+  const CompareOptions options{parse_share({"--fail-over", given.fail_over}),
+                               parse_ignored(given.ignore)};
+  const int limit = parse_integer({"--limit", given.limit}, 0, kMaxLimit);
+  const Form form = parse_choice({"--format", given.format}, kForms);
+  if (given.reports.size() != 2) throw InputError("compare", "name two reports: old and new");
+  Destination output(given.output);
+  const NamedReport before{given.reports[0], read_report(given.reports[0])};
+  const NamedReport after{given.reports[1], read_report(given.reports[1])};
   const Comparison comparison = compare(before, after, options);
   const ComparisonDocument document{before, after, options, comparison,
                                     static_cast<std::size_t>(limit)};
@@ -71,23 +68,22 @@ int run(const Arguments& arguments) {
   return comparison.same() ? kSame : kDifferent;
 }
 
-Action declare(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  app.add_option("reports", arguments->reports, "The old report and the new one")
-      ->type_name("REPORT");
-  const auto add = [&](const char* group, const char* option, std::string& text, const char* form,
-                       const char* meaning) {
-    CLI::Option* added = app.add_option(option, text, meaning)->type_name(form)->group(group);
-    if (!text.empty()) added->default_str(text);
-  };
-  add("Comparison", "--ignore", arguments->ignore, "NAMES",
-      "Compare runs that differ in these parameters, as seed,observe_every");
-  add("Comparison", "--fail-over", arguments->fail_over, "SHARE",
-      "Tolerate relative differences up to this, as 1% or 0.01; above 0, also other hashes");
-  add("Output", "--limit", arguments->limit, "N", "Changes shown of each run; 0 for all");
-  add("Output", "--format", arguments->format, "FORMAT", "text, markdown or json");
-  add("Output", "-o,--output", arguments->output, "FILE", "Writes there; - for standard output");
-  return [arguments] { return run(*arguments); };
+Action declare(CommandOptions& options) {
+  const auto given = std::make_shared<Given>();
+  options.add_arguments({"reports", "REPORT", "The old report and the new one"}, given->reports);
+  options.add(
+      "Comparison",
+      {"--ignore", "NAMES", "Compare runs that differ in these parameters, as observe_every,mode"},
+      given->ignore);
+  options.add(
+      "Comparison",
+      {"--fail-over", "SHARE",
+       "Tolerate relative differences up to this, as 1% or 0.01; above 0, also other hashes"},
+      given->fail_over);
+  options.add_output({"--limit", "N", "Changes shown of each run; 0 for all"}, given->limit);
+  options.add_output({"--format", "FORMAT", "text, markdown or json"}, given->format);
+  options.add_output({"-o,--output", "FILE", "Writes there; - for standard output"}, given->output);
+  return [given] { return run(*given); };
 }
 
 }  // namespace
@@ -98,7 +94,7 @@ extern const Command c_compare{
     "cannot be compared",
     "  lanescope compare a.json b.json\n"
     "  lanescope compare a.json b.json --fail-over 1%\n"
-    "  lanescope compare a.json b.json --ignore seed --format json -o changes.json",
+    "  lanescope compare a.json b.json --ignore observe_every --format json -o changes.json",
     declare};
 
 }  // namespace lanescope

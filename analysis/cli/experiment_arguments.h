@@ -1,73 +1,58 @@
 // SPDX-License-Identifier: MIT
-// The options that commands share: which scenes, how they are tessellated and sampled, how kernels
-// are started. Declared once, parsed strictly, resolved into configurations.
+// The options that commands share: every parameter of every kernel and kind of work of the program,
+// as they are declared, parsed strictly, and resolved into configurations.
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "analysis/cli/options.h"
+#include "analysis/cli/parameter_axis.h"
 #include "analysis/configuration/configuration.h"
-
-namespace CLI {
-class App;
-}
 
 namespace lanescope {
 
-/// The texts given for the shared options, or their defaults. An empty text means that the default
-/// depends on other options.
-struct ExperimentArguments {
-  std::string scene;
-  std::string mesh;
-  std::string patches = "pn";
-  std::string frame;
-  std::string turn = "0";
-  std::string resolution;
-  std::string dice_area;
-  std::string grid;
-  std::string drain;
-  std::string msaa;
-  std::string jitter;
-  std::string seed;
-  std::string edges;
-  std::string stream_load_threshold;
-  std::string cull;
-  std::string mode;
-  std::string observe_every;
-  std::string threads;
+/// The names of parameters of every run.
+inline constexpr std::string_view kKernel = "kernel";
+inline constexpr std::string_view kWidth = "width_lanes";
+inline constexpr std::string_view kScene = "scene";
 
-  /// Defaults are those of a Configuration.
-  ExperimentArguments();
+/// Names a scene that is a file.
+inline constexpr const char* kFileOption = "--mesh";
+
+/// What the options hold, and what a command runs where they hold nothing.
+struct ExperimentArguments {
+  /// Whether the usual kernels run at all their usual widths, or the first of them at its first.
+  bool several = true;
+  /// Whether other parameters can have several values, so that the help says how they are given.
+  bool takes_lists = true;
+  /// Values that the command has by default, by name; of others the parameter says the default.
+  /// Scenes may be `all`.
+  std::map<std::string, std::vector<Value>, std::less<>> defaults;
+  /// Names of parameters that are no options, as the command decides them itself.
+  std::vector<std::string_view> left_out;
+
+  std::map<std::string, std::string, std::less<>> texts;  ///< By option; empty if not given.
+  std::string file;  ///< A scene that is a file, of which the name may have commas.
 };
 
-/// Which scenes a command shows if none is named.
-enum class DefaultScenes { kThesis, kAll, kFirst };
+/// Declares the options. `arguments` must outlive `options`.
+void add_experiment_options(CommandOptions& options, ExperimentArguments& arguments);
 
-/// Declares the options. `arguments` must outlive `app`.
-void add_experiment_options(CLI::App& app, ExperimentArguments& arguments);
+/// Declares `--threads`, which values.h reads.
+void add_threads_option(CommandOptions& options, std::string& text);
 
-/// A configuration for each scene, with every parameter resolved except kernel, width and
-/// micropolygon. Throws InputError, naming the option, for anything out of range.
-std::vector<Configuration> resolve_scenes(const ExperimentArguments& arguments,
-                                          DefaultScenes default_scenes);
+/// Every combination of the values that were asked for, each once, with every parameter resolved.
+/// In this order, the last varying fastest: scene, parameters of the kind of work, mode and
+/// observation, kernel, its parameters, width. Throws InputError, naming the option, for what is
+/// out of range, for kernels of several kinds of work, and for options that no kernel takes or that
+/// apply to no scene.
+std::vector<Configuration> resolve_configurations(const ExperimentArguments& arguments);
 
-/// Threads to use: as asked, or as many as the host has.
-int resolve_threads(const std::string& text);
-inline int resolve_threads(const ExperimentArguments& arguments) {
-  return resolve_threads(arguments.threads);
-}
-
-/// Names of kernels from a list.
-std::vector<std::string> resolve_kernels(const std::string& text);
-/// Kinds of micropolygon from a list.
-std::vector<Micropolygon> resolve_shapes(const std::string& text);
-/// Widths of a kernel from a list. An empty text means 8, 16, 32 and 64, or all of the kernel's if
-/// it has none of these.
-std::vector<int> resolve_widths(const std::string& text, const std::string& kernel);
-
-/// Every scene with every kernel at every width on every kind of micropolygon.
-std::vector<Configuration> cross(const std::vector<Configuration>& scenes,
-                                 const std::vector<std::string>& kernels, const std::string& widths,
-                                 const std::vector<Micropolygon>& shapes);
+/// The scenes that a word stands for: `all`, or the group of a study of this kind of work; none if
+/// it stands for none.
+std::vector<std::string> scenes_of_word(std::string_view word, const Workload& workload);
 
 }  // namespace lanescope

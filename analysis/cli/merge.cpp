@@ -4,13 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
-#include "analysis/cli/command.h"
 #include "analysis/cli/input.h"
+#include "analysis/cli/options.h"
 #include "analysis/cli/output.h"
 #include "analysis/report/report_json.h"
 #include "analysis/sweep/sweep_directory.h"
@@ -19,7 +18,7 @@
 namespace lanescope {
 namespace {
 
-struct Arguments {
+struct Given {
   std::vector<std::string> inputs;
   std::string output;
 };
@@ -40,30 +39,28 @@ std::vector<std::string> cells_of(const std::string& path) {
   return files;
 }
 
-void merge(const CLI::App& app, const Arguments& arguments) {
-  if (arguments.inputs.empty()) throw InputError("merge", "name reports, or directories of sweeps");
-  if (arguments.output.empty()) throw InputError("--output", "is missing; name a file");
+void merge(const CommandOptions& command, const Given& given) {
+  if (given.inputs.empty()) throw InputError("merge", "name reports, or directories of sweeps");
+  if (given.output.empty()) throw InputError("--output", "is missing; name a file");
   std::vector<std::string> files;
-  for (const std::string& input : arguments.inputs) {
+  for (const std::string& input : given.inputs) {
     std::error_code unreadable;
     const bool is_sweep = std::filesystem::is_directory(input, unreadable);
     const std::vector<std::string> more = is_sweep ? cells_of(input) : std::vector{input};
     files.insert(files.end(), more.begin(), more.end());
   }
-  Destination output(arguments.output);
+  Destination output(given.output);
   Report merged = merge_reports(read_reports(files));
-  merged.command = command_of(app);
+  merged.command = command.command_line();
   output.write(report_text(merged));
 }
 
-Action declare(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  app.add_option("inputs", arguments->inputs, "Reports, and directories of sweeps")
-      ->type_name("FILE-OR-DIR");
-  app.add_option("-o,--output", arguments->output, "The report; - for standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  return [&app, arguments] { merge(app, *arguments); };
+Action declare(CommandOptions& options) {
+  const auto given = std::make_shared<Given>();
+  options.add_arguments({"inputs", "FILE-OR-DIR", "Reports, and directories of sweeps"},
+                        given->inputs);
+  options.add_output({"-o,--output", "FILE", "The report; - for standard output"}, given->output);
+  return [&options, given] { merge(options, *given); };
 }
 
 }  // namespace

@@ -7,11 +7,6 @@
 #include <string_view>
 
 #include "analysis/base/files.h"
-#include "analysis/report/report.h"
-
-namespace CLI {
-class App;
-}
 
 namespace lanescope {
 
@@ -34,9 +29,5 @@ class Destination {
   bool is_stdout_;
   std::unique_ptr<AtomicFile> file_;
 };
-
-/// The command that gives the same report: options of the group "Output" are left out, as they only
-/// decide where results go and how fast.
-std::string command_of(const CLI::App& app);
 
 }  // namespace lanescope

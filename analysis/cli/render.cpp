@@ -1,148 +1,135 @@
 // SPDX-License-Identifier: MIT
-// `lanescope render`: a picture of a scene, drawn by a kernel, or of what happens at its samples.
+// `lanescope render`: a picture of what a kernel writes, or of something else of its work.
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "analysis/cli/command.h"
+#include "analysis/cli/defaults.h"
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
-#include "analysis/cli/values.h"
+#include "analysis/experiment/draw.h"
 #include "analysis/experiment/experiment.h"
-#include "analysis/experiment/sample_maps.h"
 #include "analysis/pictures/heat_map.h"
-#include "analysis/pictures/image.h"
 #include "analysis/pictures/picture_title.h"
-#include "simulator/base/error.h"
 
 namespace lanescope {
 namespace {
 
-enum class Show { kFrame, kTests, kHits, kMicropolygons };
+/// Words for the picture of the output; the second is for those who think of frames.
+constexpr std::string_view kOutputs[] = {"output", "frame"};
 
-constexpr std::array<Choice<Show>, 4> kShows{{{"frame", Show::kFrame},
-                                              {"tests", Show::kTests},
-                                              {"hits", Show::kHits},
-                                              {"micropolygons", Show::kMicropolygons}}};
-
-struct Arguments {
+struct Given {
   ExperimentArguments experiment;
-  std::string show = "frame";
-  std::string kernel = "lockstep";
-  std::string width;
-  std::string micropolygon = "quad";
+  std::string threads;
+  std::string show{kOutputs[0]};
   std::string output;
-  Arguments() { experiment.mode = name_of(kModes, Mode::kUncounted); }
 };
 
-Configuration resolve(const Arguments& arguments) {
-  const std::vector<std::string> kernels = resolve_kernels(arguments.kernel);
-  const std::string width = arguments.width.empty()
-                                ? std::to_string(resolve_widths("", kernels.front()).front())
-                                : arguments.width;
-  const std::vector<Configuration> all =
-      cross(resolve_scenes(arguments.experiment, DefaultScenes::kFirst), kernels, width,
-            resolve_shapes(arguments.micropolygon));
+/// What is shown, and the kernel that has it; no view for the output of whatever kernel draws.
+struct Shown {
+  const View* view = nullptr;
+  const Kernel* kernel = nullptr;
+};
+
+std::vector<std::string> things_to_show() {
+  std::vector<std::string> names(std::begin(kOutputs), std::end(kOutputs));
+  for (const Kernel* kernel : kernels())
+    for (const View& view : kernel->views) names.emplace_back(view.name);
+  return names;
+}
+
+Shown find_shown(const std::string& text) {
+  const std::vector<std::string> names = things_to_show();
+  for (const std::string_view word : kOutputs)
+    if (text == word) return {};
+  for (const Kernel* kernel : kernels())
+    for (const View& view : kernel->views)
+      if (view.name == text) return {&view, kernel};
+  throw InputError("--show", "'{}' is not {}{}", text, list_or(names), did_you_mean(text, names));
+}
+
+/// Kernels, widths and modes differ in how they draw, and in nothing that a view shows.
+void refuse_machine_options(const CommandOptions& command, const View& view) {
+  for (const char* name : {"kernel", "width_lanes", "mode"}) {
+    const std::string option(find_parameter(name)->words.option);
+    if (command.is_given(option))
+      throw InputError(option, "does not change {}; leave it out, or use --show {}", view.name,
+                       kOutputs[0]);
+  }
+}
+
+Configuration resolve(const CommandOptions& command, const Given& given, const Shown& shown) {
+  ExperimentArguments arguments = given.experiment;
+  if (shown.view) {
+    refuse_machine_options(command, *shown.view);
+    arguments.defaults[std::string(kKernel)] = {std::string(shown.kernel->name)};
+  }
+  const std::vector<Configuration> all = resolve_configurations(arguments);
   if (all.size() != 1)
-    throw InputError("render", "draws one picture; give one scene, kernel, width and micropolygon");
+    throw InputError(
+        "render",
+        "draws one picture; give one scene, kernel and width, and one value of what else there is");
   return all.front();
 }
 
-std::string frame_png(const Configuration& configuration, const ExperimentOptions& asked) {
+std::string picture_of(const Output& output, const Configuration& c, const Shown& shown) {
+  const std::optional<Raster> picture = output.picture();
+  if (!picture)
+    throw InputError("--show", "{} of {} is no picture",
+                     shown.view ? shown.view->name : kOutputs[0], c.kernel);
+  const std::string title = picture_title(c);
+  return raster_png(*picture, shown.view ? fmt::format("{}: {}", title, shown.view->name) : title);
+}
+
+std::string picture_png(const Configuration& c, const Shown& shown, ExperimentOptions options) {
+  if (shown.view)
+    return picture_of(*draw(c, *shown.view, options.threads, options.progress), c, shown);
   std::string bytes;
-  ExperimentOptions options = asked;
-  options.on_frame = [&](const FinishedFrame& finished) {
-    bytes = png(resolve(finished.frame, finished.background));
+  options.on_output = [&](const FinishedOutput& finished) {
+    bytes = picture_of(finished.output, c, shown);
   };
-  run_experiment({configuration}, options);
+  run_experiment({c}, options);
   return bytes;
 }
 
-std::string counts_png(const Configuration& c, const ExperimentOptions& options,
-                       SampleCounter::What what) {
-  const SampleGrid grid = c.sample_grid();
-  SampleCounter counter(grid, what);
-  watch_samples(c, counter, options.threads, options.progress);
-  const bool tests = what == SampleCounter::What::kTests;
-  const auto samples = static_cast<std::uint64_t>(grid.samples_per_pixel());
-  return heat_map_png({grid.width_px(), grid.height_px(), pixel_sums(grid, counter.counts()),
-                       tests ? 1 : samples,
-                       fmt::format("{}: {}", picture_title(c), tests ? "tests" : "hits"),
-                       tests ? "tests per pixel" : "hits per sample"});
-}
-
-std::string micropolygons_png(const Configuration& c, const ExperimentOptions& options) {
-  const SampleGrid grid = c.sample_grid();
-  VisibleMicropolygons visible(grid);
-  watch_samples(c, visible, options.threads, options.progress);
-  return png(micropolygon_picture(grid, visible));
-}
-
-std::string picture_png(Show show, const Configuration& c, const ExperimentOptions& options) {
-  switch (show) {
-    case Show::kFrame:
-      return frame_png(c, options);
-    case Show::kTests:
-      return counts_png(c, options, SampleCounter::What::kTests);
-    case Show::kHits:
-      return counts_png(c, options, SampleCounter::What::kHits);
-    case Show::kMicropolygons:
-      return micropolygons_png(c, options);
-  }
-  return {};
-}
-
-/// Kernels, widths and modes differ in how they draw a frame, and in nothing else that is shown.
-void refuse_kernel_options(const CLI::App& app, std::string_view show) {
-  for (const char* option : {"--kernel", "--width", "--mode"})
-    if (app.get_option(option)->count() > 0)
-      throw InputError(option, "does not change {}; leave it out, or use --show frame", show);
-}
-
-void render(const CLI::App& app, const Arguments& arguments) {
-  const Show show = parse_choice({"--show", arguments.show}, kShows);
-  if (show != Show::kFrame) refuse_kernel_options(app, arguments.show);
-  const Configuration configuration = resolve(arguments);
-  if (arguments.output.empty()) throw InputError("--output", "is missing; name a PNG file");
+void render(const CommandOptions& command, const Given& given) {
+  const Shown shown = find_shown(given.show);
+  const Configuration configuration = resolve(command, given, shown);
+  if (given.output.empty()) throw InputError("--output", "is missing; name a PNG file");
   ExperimentOptions options;
-  options.threads = resolve_threads(arguments.experiment);
-  Destination picture(arguments.output);
-  Progress progress(app.get_name());
+  options.threads = parse_threads(given.threads);
+  Destination picture(given.output);
+  Progress progress(command.name());
   options.progress = [&](double fraction) { progress.update(fraction); };
-  picture.write(picture_png(show, configuration, options));
+  picture.write(picture_png(configuration, shown, options));
 }
 
-Action declare(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  const auto add = [&](const char* option, std::string& text, const char* form,
-                       const char* meaning) {
-    CLI::Option* added = app.add_option(option, text, meaning)->type_name(form)->group("Kernels");
-    if (!text.empty()) added->default_str(text);
-  };
-  add("--kernel", arguments->kernel, "NAME", "The kernel that draws");
-  add("--width", arguments->width, "W", "Width of its machine; the narrowest if left out");
-  add("--micropolygon", arguments->micropolygon, "KIND", "triangle or quad");
-  add_experiment_options(app, arguments->experiment);
-  app.add_option("--show", arguments->show,
-                 "frame; or tests (sum of each pixel) or hits (mean of its samples) as heat maps; "
-                 "or the visible micropolygons, a pixel for each sample")
-      ->type_name("WHAT")
-      ->default_str(arguments->show)
-      ->group("Output");
-  app.add_option("-o,--output", arguments->output, "The picture, a PNG file; - for standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  return [&app, arguments] { render(app, *arguments); };
+std::string help_of_show() {
+  std::string help = fmt::format("{} (or {}) of the kernel", kOutputs[0], kOutputs[1]);
+  for (const Kernel* kernel : kernels())
+    for (const View& view : kernel->views) help += fmt::format("; {}: {}", view.name, view.summary);
+  return help;
+}
+
+Action declare(CommandOptions& options) {
+  const auto given = std::make_shared<Given>();
+  given->experiment.several = false;
+  given->experiment.takes_lists = false;
+  given->experiment.defaults["mode"] = {std::string(name_of(kModes, Mode::kUncounted))};
+  add_experiment_options(options, given->experiment);
+  add_threads_option(options, given->threads);
+  options.add("Picture", {"--show", "WHAT", help_of_show()}, given->show);
+  options.add_output({"-o,--output", "FILE", "The picture, a PNG file; - for standard output"},
+                     given->output);
+  return [&options, given] { render(options, *given); };
 }
 
 }  // namespace
 
-extern const Command c_render{
-    "render", "Draws a scene, or what happens at its samples, into a PNG file",
-    "  lanescope render --scene teapot -o teapot.png\n"
-    "  lanescope render --mesh bunny.obj --msaa 16 -o bunny.png\n"
-    "  lanescope render --scene teapot --show tests -o tests.png\n"
-    "  lanescope render --scene teapot --show micropolygons --dice-area 64 -o grid.png",
-    declare};
+extern const Command c_render{"render", "Draws a scene, or what happens in it, into a PNG file",
+                              "  lanescope render --scene {scene} -o scene.png\n"
+                              "  lanescope render --mesh {file} -o model.png\n"
+                              "  lanescope render --scene {scene} --show {view} -o view.png",
+                              declare};
 
 }  // namespace lanescope

@@ -1,56 +1,57 @@
 // SPDX-License-Identifier: MIT
 // `lanescope report`: a page of charts from reports.
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
-#include "analysis/cli/command.h"
 #include "analysis/cli/input.h"
+#include "analysis/cli/options.h"
 #include "analysis/cli/output.h"
 #include "analysis/html/page.h"
+#include "analysis/studies/study.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {
 namespace {
 
-struct Arguments {
+struct Given {
   std::vector<std::string> files;
   std::string output;
   std::string frames;
 };
 
 /// Where the pictures are: as asked, or beside the first report.
-std::string frames_directory(const Arguments& arguments) {
-  if (!arguments.frames.empty()) {
-    if (!std::filesystem::is_directory(arguments.frames))
-      throw InputError("--frames", "'{}' is not a directory", arguments.frames);
-    return arguments.frames;
+std::string frames_directory(const Given& given) {
+  if (!given.frames.empty()) {
+    if (!std::filesystem::is_directory(given.frames))
+      throw InputError("--frames", "'{}' is not a directory", given.frames);
+    return given.frames;
   }
-  const std::string beside = std::filesystem::path(arguments.files.front()).parent_path();
+  const std::string beside = std::filesystem::path(given.files.front()).parent_path();
   return beside.empty() ? "." : beside;
 }
 
-void report(const Arguments& arguments) {
-  if (arguments.files.empty())
+void report(const Given& given) {
+  if (given.files.empty())
     throw InputError("report", "of what? Name a report, as `run --json` writes it");
-  if (arguments.output.empty()) throw InputError("--output", "is missing; name an HTML file");
-  const std::string frames = frames_directory(arguments);
-  Destination page(arguments.output);
-  page.write(report_page(read_reports(arguments.files), frames));
+  if (given.output.empty()) throw InputError("--output", "is missing; name an HTML file");
+  const std::string frames = frames_directory(given);
+  Destination page(given.output);
+  const std::vector<NamedReport> sources = read_reports(given.files);
+  page.write(report_page(sources, frames,
+                         [](const Report& setting) { return page_plan(setting, studies()); }));
 }
 
-Action declare(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  app.add_option("reports", arguments->files, "Reports: the JSON of run or tables")
-      ->type_name("FILE");
-  app.add_option("-o,--output", arguments->output, "The page, an HTML file; - for standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  app.add_option("--frames", arguments->frames,
-                 "Where the pictures frame-<scene>.png are; beside the first report if left out")
-      ->type_name("DIR")
-      ->group("Output");
-  return [arguments] { report(*arguments); };
+Action declare(CommandOptions& options) {
+  const auto given = std::make_shared<Given>();
+  options.add_arguments({"reports", "FILE", "Reports: the JSON of run or of a study"},
+                        given->files);
+  options.add_output({"-o,--output", "FILE", "The page, an HTML file; - for standard output"},
+                     given->output);
+  options.add_output({"--frames", "DIR",
+                      "Where the pictures frame-<scene>.png are; beside the first report if left "
+                      "out"},
+                     given->frames);
+  return [given] { report(*given); };
 }
 
 }  // namespace

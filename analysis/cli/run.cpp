@@ -1,69 +1,52 @@
 // SPDX-License-Identifier: MIT
 // `lanescope run`: one experiment of the user's.
-#include <CLI/CLI.hpp>
 #include <memory>
 
-#include "analysis/cli/command.h"
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
-#include "analysis/cli/run_summary.h"
 #include "analysis/experiment/experiment.h"
 #include "analysis/formats/format.h"
 #include "analysis/report/report_json.h"
+#include "analysis/tables/run_summary.h"
 
 namespace lanescope {
 namespace {
 
-struct Arguments {
+struct Given {
   ExperimentArguments experiment;
-  std::string kernel = "lockstep,repack";
-  std::string width;
-  std::string micropolygon = "triangle";
+  std::string threads;
   std::string json;
 };
 
-void run(const CLI::App& app, const Arguments& arguments) {
-  const std::vector<Configuration> configurations = cross(
-      resolve_scenes(arguments.experiment, DefaultScenes::kFirst),
-      resolve_kernels(arguments.kernel), arguments.width, resolve_shapes(arguments.micropolygon));
+void run(const CommandOptions& command, const Given& given) {
+  const std::vector<Configuration> configurations = resolve_configurations(given.experiment);
   ExperimentOptions options;
-  options.threads = resolve_threads(arguments.experiment);
-  Destination json(arguments.json);
-  Progress progress(app.get_name());
+  options.threads = parse_threads(given.threads);
+  Destination json(given.json);
+  Progress progress(command.name());
   options.progress = [&](double fraction) { progress.update(fraction); };
   Report report = run_experiment(configurations, options);
-  report.command = command_of(app);
+  report.command = command.command_line();
   json.write(report_text(report));
   if (!json.is_stdout()) print(find_format("text").write(run_summaries(report)));
 }
 
-Action declare(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  const auto add = [&](const char* option, std::string& text, const char* form,
-                       const char* meaning) {
-    return app.add_option(option, text, meaning)->type_name(form)->group("Kernels");
-  };
-  add("--kernel", arguments->kernel, "NAMES", "Kernels, separated by commas")
-      ->default_str(arguments->kernel);
-  add("--width", arguments->width, "WS", "Widths of the machine; 8,16,32,64 if left out");
-  add("--micropolygon", arguments->micropolygon, "KINDS", "triangle, quad or both")
-      ->default_str(arguments->micropolygon);
-  add_experiment_options(app, arguments->experiment);
-  app.add_option("--json", arguments->json, "Writes the report; - for standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  return [&app, arguments] { run(app, *arguments); };
+Action declare(CommandOptions& options) {
+  const auto given = std::make_shared<Given>();
+  add_experiment_options(options, given->experiment);
+  add_threads_option(options, given->threads);
+  options.add_output({"--json", "FILE", "Writes the report; - for standard output"}, given->json);
+  return [&options, given] { run(options, *given); };
 }
 
 }  // namespace
 
-extern const Command c_run{
-    "run", "Runs kernels on scenes and prints how busy the lanes are",
-    "  lanescope run --kernel repack --scene teapot --width 16\n"
-    "  lanescope run --scene thesis --micropolygon triangle,quad --json report.json\n"
-    "  lanescope run --mesh bunny.obj --patches pn --resolution 640x480\n"
-    "  lanescope run --kernel repack --stream-load-threshold 0.5 --drain 4000",
-    declare};
+extern const Command c_run{"run", "Runs kernels on scenes and prints how busy the lanes are",
+                           "  lanescope run --kernel {kernel} --scene {scene} --width 16\n"
+                           "  lanescope run --kernel {kernel} --width 1:64 --json widths.json\n"
+                           "  lanescope run --scene {group} {facet} --json report.json\n"
+                           "  lanescope run --mesh {file}",
+                           declare};
 
 }  // namespace lanescope

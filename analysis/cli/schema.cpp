@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // `lanescope schema`: the JSON Schema of reports, for validators.
-#include "analysis/cli/command.h"
+#include "analysis/cli/options.h"
 #include "analysis/cli/output.h"
 #include "analysis/report/report_json.h"
 
 namespace lanescope {
 namespace {
 
-Action declare(CLI::App&) {
+Action declare(CommandOptions&) {
   return [] { print(report_json_schema()); };
 }
 

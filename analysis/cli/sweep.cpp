@@ -4,13 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "analysis/base/files.h"
-#include "analysis/cli/command.h"
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
@@ -27,7 +25,7 @@ constexpr int kMaxShards = 4096;
 constexpr int kMaxMemory_mb = 1 << 20;
 constexpr int kMaxGroup = 4096;
 
-struct Arguments {
+struct Given {
   std::string spec;
   std::string out;
   std::string shard;
@@ -37,7 +35,7 @@ struct Arguments {
   bool dry_run = false;
   bool no_share = false;
 
-  Arguments() : memory_limit(std::to_string(GroupLimits{}.frame_bytes >> 20)) {}
+  Given() : memory_limit(std::to_string(GroupLimits{}.output_bytes >> 20)) {}
 };
 
 struct Shard {
@@ -62,35 +60,29 @@ struct Request {
   SweepOptions options;
 };
 
-Request resolve(const CLI::App& app, const Arguments& arguments) {
-  if (arguments.spec.empty()) throw InputError("sweep", "name a spec, a JSON document");
-  if (arguments.out.empty()) throw InputError("--out", "is missing; name a directory");
+Request resolve(const CommandOptions& command, const Given& given) {
+  if (given.spec.empty()) throw InputError("sweep", "name a spec, a JSON document");
+  if (given.out.empty()) throw InputError("--out", "is missing; name a directory");
   Request request;
-  request.shard = parse_shard(arguments.shard);
+  request.shard = parse_shard(given.shard);
   SweepOptions& options = request.options;
-  options.threads = resolve_threads(arguments.threads);
-  options.command = command_of(app);
+  options.threads = parse_threads(given.threads);
+  options.command = command.command_line();
   GroupLimits& limits = options.group_limits;
-  limits.frame_bytes =
-      std::int64_t{parse_integer({"--memory-limit", arguments.memory_limit}, 1, kMaxMemory_mb)}
-      << 20;
-  limits.members =
-      static_cast<std::size_t>(parse_integer({"--group", arguments.group}, 1, kMaxGroup));
-  if (arguments.no_share) limits.members = 1;
-  request.cells = shard_of(parse_sweep_spec(read_file(arguments.spec), arguments.spec),
-                           request.shard.index, request.shard.count);
+  limits.output_bytes = static_cast<std::uint64_t>(
+                            parse_integer({"--memory-limit", given.memory_limit}, 1, kMaxMemory_mb))
+                        << 20;
+  limits.members = static_cast<std::size_t>(parse_integer({"--group", given.group}, 1, kMaxGroup));
+  if (given.no_share) limits.members = 1;
+  request.cells = shard_of(parse_sweep_spec(read_file(given.spec), given.spec), request.shard.index,
+                           request.shard.count);
   return request;
-}
-
-/// A value as the listing shows it: a name without quotes.
-std::string plain(const nlohmann::ordered_json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 std::string values_of(const Configuration& cell, const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names)
-    text += fmt::format("  {}={}", name, plain(parameter_json(name, cell)));
+    text += fmt::format("  {}={}", name, value_text(value_of(cell, name)));
   return text;
 }
 
@@ -101,7 +93,7 @@ std::string estimate_text(const std::vector<Report>& done, const std::vector<Con
   return fmt::format(
       "an estimate of the time: {} on {} threads, from {}\n",
       duration_text(std::max(1.0, estimate->seconds)), options.threads,
-      estimate->from_finished_cells ? "the cells that are done" : "a brief run on a small frame");
+      estimate->from_finished_cells ? "the cells that are done" : "a brief run of a part");
 }
 
 /// Lists the cells and what is known of them.
@@ -125,7 +117,7 @@ void list(const Request& request, const SweepDirectory& directory) {
   }
   text += fmt::format("{} cells: {} done, {} failed, {} left in {} groups\n", request.cells.size(),
                       done.size(), failed, left.size() - failed,
-                      group_by_tessellation(left, request.options.group_limits).size());
+                      group_by_source(left, request.options.group_limits).size());
   if (!left.empty()) text += estimate_text(done, left, request.options);
   print(text);
 }
@@ -143,9 +135,9 @@ void tell_end(const SweepSummary& s) {
       s.cells, s.done, s.failed, s.skipped, s.wall_ms / 1000.0, s.threads);
   if (s.done > 0)
     text += fmt::format(
-        "\nlanescope: dicing took {:.1f} s, {:.0f}% of the work; not shared it would be {:.1f} s, "
-        "and all work {:.2f} times as much; peak memory {} MB",
-        s.dicing_ms / 1000.0, percent(s.dicing_ms, s.work_ms()), s.dicing_unshared_ms / 1000.0,
+        "\nlanescope: making the work took {:.1f} s, {:.0f}% of the time; not shared it would be "
+        "{:.1f} s, and all time {:.2f} times as much; peak memory {} MB",
+        s.source_ms / 1000.0, percent(s.source_ms, s.work_ms()), s.source_unshared_ms / 1000.0,
         s.work_unshared_ms() / s.work_ms(), s.peak_memory_bytes >> 20);
   std::fputs((text + '\n').c_str(), stderr);
 }
@@ -164,56 +156,52 @@ SweepSummary run_shown(const Request& request, const SweepDirectory& directory,
 }
 
 /// Exit status 1: every cell was tried, and some failed.
-int sweep(const CLI::App& app, const Arguments& arguments) {
-  const Request request = resolve(app, arguments);
-  const SweepDirectory directory(arguments.out);
-  if (arguments.dry_run) {
+int sweep(const CommandOptions& command, const Given& given) {
+  const Request request = resolve(command, given);
+  const SweepDirectory directory(given.out);
+  if (given.dry_run) {
     list(request, directory);
     return 0;
   }
   directory.open();
   AtomicFile summary_file(summary_path(directory, request.shard));
-  const SweepSummary summary = run_shown(request, directory, app.get_name());
+  const SweepSummary summary = run_shown(request, directory, command.name());
   if (summary.done + summary.failed > 0) summary_file.commit(summary_text(summary));
   tell_end(summary);
   if (summary.failed == 0) return 0;
   std::fputs(fmt::format("lanescope: {}: {} of {} cells failed; their errors are in {}/\n",
-                         arguments.out, summary.failed, summary.cells, directory.failed_path())
+                         given.out, summary.failed, summary.cells, directory.failed_path())
                  .c_str(),
              stderr);
   return 1;
 }
 
-Action declare(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  const auto add = [&](const char* option, std::string& text, const char* form,
-                       const char* meaning) {
-    CLI::Option* added = app.add_option(option, text, meaning)->type_name(form)->group("Output");
-    if (!text.empty()) added->default_str(text);
-  };
-  app.add_option("spec", arguments->spec, "The cells, a JSON document (docs/sweeps.md)")
-      ->type_name("SPEC");
-  add("--out", arguments->out, "DIR",
-      "Keeps a report of each cell there; goes on with what is left");
-  add("--shard", arguments->shard, "I/N", "Only the I-th of N parts of the cells");
-  add("--threads", arguments->threads, "N", "Threads; all of the host if left out");
-  add("--memory-limit", arguments->memory_limit, "MB", "Frames of cells that run together");
-  add("--group", arguments->group, "N", "At most N cells run together; a kill loses no more");
-  app.add_flag("--no-share", arguments->no_share, "Dices each cell by itself, to measure")
-      ->group("Output");
-  app.add_flag("--dry-run", arguments->dry_run, "Lists the cells and an estimate of the time")
-      ->group("Output");
-  return [&app, arguments] { return sweep(app, *arguments); };
+Action declare(CommandOptions& options) {
+  const auto given = std::make_shared<Given>();
+  options.add_argument({"spec", "SPEC", "The cells, a JSON document (docs/sweeps.md)"},
+                       given->spec);
+  options.add_output(
+      {"--out", "DIR", "Keeps a report of each cell there; goes on with what is left"}, given->out);
+  options.add_output({"--shard", "I/N", "Only the I-th of N parts of the cells"}, given->shard);
+  add_threads_option(options, given->threads);
+  options.add_output({"--memory-limit", "MB", "Outputs of cells that run together"},
+                     given->memory_limit);
+  options.add_output({"--group", "N", "At most N cells run together; a kill loses no more"},
+                     given->group);
+  options.add_output_flag("--no-share", "Makes the work of each cell by itself, to measure",
+                          given->no_share);
+  options.add_output_flag("--dry-run", "Lists the cells and an estimate of the time",
+                          given->dry_run);
+  return [&options, given] { return sweep(options, *given); };
 }
 
 }  // namespace
 
-extern const Command c_sweep{
-    "sweep", "Runs many configurations and keeps each one's report",
-    "  lanescope sweep examples/thesis-sweep.json --out cells --dry-run\n"
-    "  lanescope sweep examples/thesis-sweep.json --out cells\n"
-    "  lanescope sweep examples/thesis-sweep.json --out cells --shard 1/4\n"
-    "  lanescope merge cells -o report.json",
-    declare};
+extern const Command c_sweep{"sweep", "Runs many configurations and keeps each one's report",
+                             "  lanescope sweep examples/small-sweep.json --out cells --dry-run\n"
+                             "  lanescope sweep examples/small-sweep.json --out cells\n"
+                             "  lanescope sweep examples/small-sweep.json --out cells --shard 1/4\n"
+                             "  lanescope merge cells -o report.json",
+                             declare};
 
 }  // namespace lanescope

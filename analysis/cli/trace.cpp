@@ -5,28 +5,24 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "analysis/cli/command.h"
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
-#include "analysis/cli/values.h"
 #include "analysis/trace/chrome_trace.h"
 #include "analysis/trace/lane_strip_picture.h"
 #include "analysis/trace/listing.h"
-#include "simulator/base/error.h"
 
 namespace lanescope {
 namespace {
 
-/// Batches as most are, in most scenes: they are neither at the frame's edge nor facing away.
+/// Batches as most are: far enough from the beginning of a scene, where work is often unusual.
 constexpr const char* kDefaultBatches = "400:404";
 constexpr int kMaxBatch = 1 << 30;
 
-struct Arguments {
+constexpr std::uint64_t kUsualWidth = 16;
+
+struct Given {
   ExperimentArguments experiment;
-  std::string kernel = "lockstep,repack";
-  std::string width = "16";
-  std::string micropolygon = "triangle";
   std::string batches;
   std::string region;
   std::string png;
@@ -35,13 +31,16 @@ struct Arguments {
   std::string listing;
 };
 
-std::vector<Configuration> resolve(const Arguments& arguments) {
-  const std::vector<std::string> kernels = resolve_kernels(arguments.kernel);
-  const std::vector<Configuration> all =
-      cross(resolve_scenes(arguments.experiment, DefaultScenes::kFirst), kernels, arguments.width,
-            resolve_shapes(arguments.micropolygon));
-  if (all.size() != kernels.size())
-    throw InputError("trace", "shows one scene at a time; give one scene, width and micropolygon");
+/// One for each kernel.
+std::vector<Configuration> resolve(const Given& given) {
+  const std::vector<Configuration> all = resolve_configurations(given.experiment);
+  for (std::size_t i = 1; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (all[i].kernel == all[j].kernel)
+        throw InputError(
+            "trace",
+            "shows one scene at a time; give one scene and width, and one value of what "
+            "else there is");
   return all;
 }
 
@@ -73,11 +72,11 @@ Region parse_region(const std::string& text) {
           parse_integer(width, 1, kMaxPixel), parse_integer(height, 1, kMaxPixel)};
 }
 
-TraceWindow resolve_window(const Arguments& arguments) {
+TraceWindow resolve_window(const Given& given) {
   TraceWindow window;
-  if (!arguments.region.empty()) window.region = parse_region(arguments.region);
-  if (!arguments.batches.empty())
-    parse_batches(arguments.batches, window);
+  if (!given.region.empty()) window.region = parse_region(given.region);
+  if (!given.batches.empty())
+    parse_batches(given.batches, window);
   else if (!window.region)
     parse_batches(kDefaultBatches, window);
   return window;
@@ -86,11 +85,8 @@ TraceWindow resolve_window(const Arguments& arguments) {
 /// The files that were asked for, and what makes them.
 class Outputs {
  public:
-  explicit Outputs(const Arguments& arguments)
-      : png_(arguments.png),
-        svg_(arguments.svg),
-        chrome_file_(arguments.chrome),
-        listing_file_(arguments.listing) {
+  explicit Outputs(const Given& given)
+      : png_(given.png), svg_(given.svg), chrome_file_(given.chrome), listing_file_(given.listing) {
     if (!png_.is_none() || !svg_.is_none()) sinks_.push_back(&strips_);
     if (!chrome_file_.is_none()) sinks_.push_back(&chrome_);
     if (!listing_file_.is_none()) sinks_.push_back(&listing_);
@@ -124,11 +120,11 @@ class Outputs {
   std::vector<TraceSink*> sinks_;
 };
 
-void run(const CLI::App& app, const Arguments& arguments) {
-  const std::vector<Configuration> configurations = resolve(arguments);
-  const TraceWindow window = resolve_window(arguments);
-  Outputs outputs(arguments);
-  Progress progress(app.get_name());
+void run(const CommandOptions& command, const Given& given) {
+  const std::vector<Configuration> configurations = resolve(given);
+  const TraceWindow window = resolve_window(given);
+  Outputs outputs(given);
+  Progress progress(command.name());
   for (std::size_t i = 0; i < configurations.size(); ++i)
     trace(configurations[i], window, outputs.sinks(), [&](double fraction) {
       progress.update((static_cast<double>(i) + fraction) /
@@ -137,43 +133,42 @@ void run(const CLI::App& app, const Arguments& arguments) {
   outputs.write();
 }
 
-Action declare(CLI::App& app) {
-  const auto arguments = std::make_shared<Arguments>();
-  const auto add = [&](const char* group, const char* option, std::string& text, const char* form,
-                       const char* meaning) {
-    CLI::Option* added = app.add_option(option, text, meaning)->type_name(form)->group(group);
-    if (!text.empty()) added->default_str(text);
-    return added;
-  };
-  add("Window", "--batches", arguments->batches, "M:N",
-      "Batches M to N - 1 of W micropolygons, in the order of the tessellator")
+Action declare(CommandOptions& options) {
+  const auto given = std::make_shared<Given>();
+  given->experiment.defaults = {{std::string(kWidth), {kUsualWidth}}};
+  given->experiment.takes_lists = false;
+  // A trace has its own mode, and observes everything.
+  given->experiment.left_out = {"mode", "observe_every"};
+  options
+      .add("Window",
+           {"--batches", "M:N",
+            "Batches M to N - 1: what a kernel takes at a time, up to W elements of work"},
+           given->batches)
       ->default_str(kDefaultBatches);
-  add("Window", "--region", arguments->region, "X,Y,WxH",
-      "Only micropolygons that meet these pixels; all batches of them unless --batches is given");
-  add("Kernels", "--kernel", arguments->kernel, "NAMES", "Kernels, separated by commas");
-  add("Kernels", "--width", arguments->width, "W", "Width of the machine");
-  add("Kernels", "--micropolygon", arguments->micropolygon, "KIND", "triangle or quad");
-  add_experiment_options(app, arguments->experiment);
-  // A trace has its own mode, runs on one thread, and observes everything.
-  for (const char* option : {"--mode", "--threads", "--observe-every"})
-    app.remove_option(app.get_option(option));
-  add("Output", "--png", arguments->png, "FILE", "The lanes over time, as a picture");
-  add("Output", "--svg", arguments->svg, "FILE", "The same as lines and areas, for papers");
-  add("Output", "--chrome", arguments->chrome, "FILE",
-      "Slices of the stages, for Perfetto and speedscope (JSON)");
-  add("Output", "--listing", arguments->listing, "FILE",
-      "A line for each instruction; - for standard output");
-  return [&app, arguments] { run(app, *arguments); };
+  options.add(
+      "Window",
+      {"--region", "X,Y,WxH",
+       "Only elements that meet these pixels; all batches of them unless --batches is given"},
+      given->region);
+  add_experiment_options(options, given->experiment);
+  options.add_output({"--png", "FILE", "The lanes over time, as a picture"}, given->png);
+  options.add_output({"--svg", "FILE", "The same as lines and areas, for papers"}, given->svg);
+  options.add_output(
+      {"--chrome", "FILE", "Slices of the stages, for Perfetto and speedscope (JSON)"},
+      given->chrome);
+  options.add_output({"--listing", "FILE", "A line for each instruction; - for standard output"},
+                     given->listing);
+  return [&options, given] { run(options, *given); };
 }
 
 }  // namespace
 
 extern const Command c_trace{
     "trace", "Shows every instruction of a few batches, lane by lane",
-    "  lanescope trace --scene teapot --png lanes.png --svg lanes.svg\n"
-    "  lanescope trace --scene tigerjump --batches 1000:1200 --png lanes.png\n"
-    "  lanescope trace --scene teapot --region 40,30,8x8 --chrome trace.json\n"
-    "  lanescope trace --kernel repack --width 8 --batches 400:401 --listing -",
+    "  lanescope trace --scene {scene} --png lanes.png --svg lanes.svg\n"
+    "  lanescope trace --scene {scene} --batches 300:400 --png lanes.png\n"
+    "  lanescope trace --scene {scene} --region 40,30,8x8 --chrome trace.json\n"
+    "  lanescope trace --kernel {kernel} --width 8 --batches 400:401 --listing -",
     declare};
 
 }  // namespace lanescope

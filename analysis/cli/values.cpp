@@ -2,20 +2,13 @@
 #include "analysis/cli/values.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
-#include <cmath>
+#include <thread>
 
 namespace lanescope {
 namespace {
 
-/// Reads the whole text as a number; false if that is not what it is.
-template <class Number>
-bool read_whole(std::string_view text, Number& number) {
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, number);
-  return result.ec == std::errc() && result.ptr == end;
-}
+constexpr int kMaxThreads = 256;
 
 }  // namespace
 
@@ -25,23 +18,18 @@ void Argument::fail(std::string_view expected) const {
 
 int parse_integer(const Argument& argument, int low, int high) {
   int number = 0;
-  if (!read_whole(argument.text, number) || number < low || number > high)
+  const char* const end = argument.text.data() + argument.text.size();
+  const auto result = std::from_chars(argument.text.data(), end, number);
+  const bool whole = result.ec == std::errc() && result.ptr == end;
+  if (!whole || number < low || number > high)
     argument.fail(fmt::format("an integer from {} to {}", low, high));
   return number;
 }
 
-std::uint64_t parse_seed(const Argument& argument) {
-  std::uint64_t number = 0;
-  if (!read_whole(argument.text, number)) argument.fail("an integer from 0 to 2^64 - 1");
-  return number;
-}
-
-float parse_number(const Argument& argument, float low, float high) {
-  float number = 0.0f;
-  const bool read = read_whole(argument.text, number) && std::isfinite(number);
-  if (!read || number < low || number > high)
-    argument.fail(fmt::format("a number from {} to {}", low, high));
-  return number;
+int parse_threads(const std::string& text) {
+  if (!text.empty()) return parse_integer({"--threads", text}, 1, kMaxThreads);
+  const int available = static_cast<int>(std::thread::hardware_concurrency());
+  return std::clamp(available, 1, kMaxThreads);
 }
 
 std::vector<Argument> parse_list(const Argument& argument) {
@@ -68,9 +56,8 @@ std::string parse_name(const Argument& argument, std::string_view kind,
                        const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), argument.text) != names.end())
     return std::string(argument.text);
-  const bool are_words = !names.empty() && std::isalpha(static_cast<unsigned char>(names[0][0]));
   throw InputError(argument.option, "'{}' is not {}; use {}{}", argument.text, kind, list_or(names),
-                   are_words ? did_you_mean(argument.text, names) : "");
+                   did_you_mean(argument.text, names));
 }
 
 }  // namespace lanescope

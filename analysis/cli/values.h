@@ -4,12 +4,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "analysis/configuration/configuration.h"
+#include "simulator/base/choice.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {
@@ -24,15 +23,14 @@ struct Argument {
 };
 
 int parse_integer(const Argument& argument, int low, int high);
-std::uint64_t parse_seed(const Argument& argument);
-/// A finite decimal number from low to high.
-float parse_number(const Argument& argument, float low, float high);
+
+/// Threads to use: as asked, or as many as the host has.
+int parse_threads(const std::string& text);
 
 /// The elements between commas, of which none is empty or given twice.
 std::vector<Argument> parse_list(const Argument& argument);
 
-/// One of the names. `kind` says what they are: `a kernel`. Names that are words are suggested for
-/// near-misses; numbers are not.
+/// One of the names. `kind` says what they are: `a table`.
 std::string parse_name(const Argument& argument, std::string_view kind,
                        const std::vector<std::string>& names);
 
@@ -40,9 +38,8 @@ template <class Value, std::size_t kCount>
 Value parse_choice(const Argument& argument, const std::array<Choice<Value>, kCount>& choices) {
   const auto value = find_choice(choices, argument.text);
   if (value) return *value;
-  std::vector<std::string> names;
-  for (const Choice<Value>& choice : choices) names.emplace_back(choice.name);
-  throw InputError(argument.option, "'{}' is not {}{}", argument.text, list_or(choices),
+  const std::vector<std::string> names = names_of(choices);
+  throw InputError(argument.option, "'{}' is not {}{}", argument.text, list_or(names),
                    did_you_mean(argument.text, names));
 }
 

@@ -32,7 +32,7 @@ struct RunValue {
 /// Collects the figures of a run.
 class RunValues {
  public:
-  /// `with_observed`: also what depends on which packets were observed.
+  /// `with_observed`: also what depends on which pieces of work were observed.
   RunValues(const RunRecord& run, bool with_observed) : run_(run), with_observed_(with_observed) {
     add_run();
     for (const StageRecord& stage : run.stages) add_stage(stage);
@@ -59,41 +59,39 @@ class RunValues {
     add(stage, figure, value ? Json(*value) : Json(nullptr), unit);
   }
 
+  void add_counters(const std::string& stage, const std::vector<CounterRecord>& counters) {
+    for (const CounterRecord& counter : counters) add(stage, counter.name, counter.value);
+  }
+
   void add_run() {
-    add("", "scene_hash", hash_text(run_.scene_hash));
-    add("", "hits_hash", hash_text(run_.hits_hash));
-    add("", "frame_hash", hash_text(run_.frame_hash));
-    add("", "samples_covered", run_.samples_covered);
-    add(kTessellation, "patches_culled", run_.tessellation.patches_culled);
-    add(kTessellation, "patches_split", run_.tessellation.patches_split);
-    add(kTessellation, "patches_dropped", run_.tessellation.patches_dropped);
-    add(kTessellation, "grids", run_.tessellation.grids);
-    add(kTessellation, "micropolygons", run_.tessellation.micropolygons);
-    add(kTessellation, "dropped", run_.tessellation.dropped);
-    add(kTessellation, "packets", run_.observation.packets);
-    if (with_observed_) add(kTessellation, "packets_observed", run_.observation.packets_observed);
-    for (const CounterRecord& counter : run_.counters) add("", counter.name, counter.value);
+    add("", "source_hash", hash_text(run_.source.hash));
+    add("", "results_hash", hash_text(run_.results_hash));
+    add("", "output_hash", hash_text(run_.output.hash));
+    add_counters(kOutput, run_.output.counters);
+    add(kSource, "pieces", run_.source.pieces);
+    if (with_observed_) add(kSource, "pieces_observed", run_.source.pieces_observed);
+    add_counters(kSource, run_.source.counters);
+    add_counters("", run_.counters);
     for (const MetricRecord& metric : run_.metrics)
       add_ratio("", metric.name, counter_ratio(run_, metric.numerator, metric.denominator),
                 kMeasure);
     if (run_.stages.empty()) return;
-    add_total(kAllStages, total(run_, Stages::kAll), utilization(run_, Stages::kAll),
-              instructions_per_micropolygon(run_, Stages::kAll));
+    add_total(kAllStages, total(run_), utilization(run_), instructions_per_element(run_));
   }
 
   void add_total(const std::string& stage, const InstructionRecord& sum, const Ratio& utilization,
-                 std::optional<double> per_micropolygon) {
+                 std::optional<double> per_element) {
     add(stage, "issued", sum.issued);
     add(stage, "active", sum.active);
     add(stage, "overhead_issued", sum.overhead_issued);
     add(stage, "overhead_active", sum.overhead_active);
     add_ratio(stage, "utilization", utilization.value(), kPercent);
-    add_ratio(stage, "issued_per_micropolygon", per_micropolygon, kInstructions);
+    add_ratio(stage, "issued_per_element", per_element, kInstructions);
   }
 
   void add_stage(const StageRecord& stage) {
     add_total(stage.name, stage.total(), utilization(stage, run_.configuration.width),
-              instructions_per_micropolygon(run_, stage.name));
+              instructions_per_element(run_, stage.name));
     for (const InstructionRecord& counts : stage.instructions) {
       add_detail(stage.name, counts.mnemonic + " issued", counts.issued);
       add_detail(stage.name, counts.mnemonic + " active", counts.active);
@@ -113,7 +111,8 @@ class RunValues {
   }
 
   static constexpr const char* kAllStages = "All stages";
-  static constexpr const char* kTessellation = "Tessellation";
+  static constexpr const char* kSource = "Source";
+  static constexpr const char* kOutput = "Output";
 
   const RunRecord& run_;
   bool with_observed_;
@@ -160,13 +159,15 @@ std::vector<Change> changes_between(const RunRecord& before, const RunRecord& af
       before.configuration.observe_every == after.configuration.observe_every;
   const RunValues old(before, with_observed);
   const RunValues now(after, with_observed);
-  std::map<std::pair<std::string, std::string>, const RunValue*> unseen;
-  for (const RunValue& value : now.all()) unseen[{value.stage, value.figure}] = &value;
+  // A name may be that of several figures, say of a counter and a series: those are in one order.
+  std::multimap<std::pair<std::string, std::string>, const RunValue*> unseen;
+  for (const RunValue& value : now.all())
+    unseen.emplace(std::pair(value.stage, value.figure), &value);
   std::vector<Change> changes;
   for (const RunValue& value : old.all()) {
-    const auto found = unseen.find({value.stage, value.figure});
-    const RunValue* other = found == unseen.end() ? nullptr : found->second;
-    if (other) unseen.erase(found);
+    const auto [first, last] = unseen.equal_range({value.stage, value.figure});
+    const RunValue* other = first == last ? nullptr : first->second;
+    if (other) unseen.erase(first);
     if (!other || other->value != value.value || other->list != value.list)
       changes.push_back(change_of(&value, other, tolerance));
   }
@@ -188,7 +189,12 @@ std::string run_title(const Json& parameters, const std::set<std::string>& names
   return text;
 }
 
-const std::set<std::string> kAlwaysNamed{"kernel", "width_lanes", "micropolygon", "scene"};
+/// The parameters that a run of any kernel goes by.
+std::set<std::string> always_named() {
+  std::set<std::string> names{"kernel", "width_lanes", "scene"};
+  for (const Workload* workload : workloads()) names.emplace(workload->facet);
+  return names;
+}
 
 /// The runs of a report by those of their parameters that are not ignored.
 class RunIndex {
@@ -197,22 +203,25 @@ class RunIndex {
     for (const RunRecord& run : source.report.runs) {
       Json parameters = configuration_json(run.configuration);
       for (const std::string& name : ignored) parameters.erase(name);
-      if (!by_key_.emplace(parameters.dump(), keys_.size()).second)
+      if (!by_key_.emplace(key_of(parameters), parameters_.size()).second)
         throw InputError(source.name, "two runs have the same parameters but for those ignored: {}",
-                         run_title(parameters, kAlwaysNamed));
-      keys_.push_back(parameters);
+                         run_title(parameters, always_named()));
+      parameters_.push_back(parameters);
     }
   }
 
-  const Json& parameters(std::size_t run) const { return keys_[run]; }
+  const Json& parameters(std::size_t run) const { return parameters_[run]; }
   std::optional<std::size_t> find(const Json& parameters) const {
-    const auto found = by_key_.find(parameters.dump());
+    const auto found = by_key_.find(key_of(parameters));
     return found == by_key_.end() ? std::nullopt : std::optional(found->second);
   }
-  const std::vector<Json>& all() const { return keys_; }
+  const std::vector<Json>& all() const { return parameters_; }
 
  private:
-  std::vector<Json> keys_;
+  /// The same for any order of the parameters.
+  static std::string key_of(const Json& parameters) { return nlohmann::json(parameters).dump(); }
+
+  std::vector<Json> parameters_;
   std::map<std::string, std::size_t> by_key_;
 };
 
@@ -222,10 +231,34 @@ std::set<std::string> names_in_titles(const RunIndex& before, const RunIndex& af
   for (const RunIndex* index : {&before, &after})
     for (const Json& parameters : index->all())
       for (const auto& [name, value] : parameters.items()) values[name].insert(value.dump());
-  std::set<std::string> names = kAlwaysNamed;
+  std::set<std::string> names = always_named();
   for (const auto& [name, different] : values)
     if (different.size() > 1) names.insert(name);
   return names;
+}
+
+bool is_of_all_runs(const Report& report, const std::string& parameter) {
+  return std::all_of(report.runs.begin(), report.runs.end(), [&](const RunRecord& run) {
+    return all_values(run.configuration).contains(parameter);
+  });
+}
+
+/// The parameters by which runs are not told apart: those that `asked` names, and with the kernel
+/// also those that only some kernels take.
+std::set<std::string> ignored_in(const NamedReport& before, const NamedReport& after,
+                                 const std::set<std::string>& asked) {
+  std::vector<std::string> names;
+  for (const NamedReport* source : {&before, &after}) add_parameter_names(source->report, names);
+  for (const std::string& name : asked)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw InputError("--ignore", "'{}' is not a parameter of a run in {} or {}; use {}{}", name,
+                       before.name, after.name, list_or(names), did_you_mean(name, names));
+  std::set<std::string> ignored = asked;
+  if (asked.contains("kernel"))
+    for (const std::string& name : names)
+      if (!is_of_all_runs(before.report, name) || !is_of_all_runs(after.report, name))
+        ignored.insert(name);
+  return ignored;
 }
 
 }  // namespace
@@ -240,8 +273,9 @@ bool Comparison::same() const {
 
 Comparison compare(const NamedReport& before, const NamedReport& after,
                    const CompareOptions& options) {
-  const RunIndex old(before, options.ignored);
-  const RunIndex now(after, options.ignored);
+  const std::set<std::string> ignored = ignored_in(before, after, options.ignored);
+  const RunIndex old(before, ignored);
+  const RunIndex now(after, ignored);
   const std::set<std::string> titled = names_in_titles(old, now);
   Comparison result;
   for (std::size_t i = 0; i < old.all().size(); ++i) {

@@ -18,13 +18,16 @@ namespace lanescope {
 struct CompareOptions {
   /// The relative difference up to which figures may differ. Hashes may differ if it is above 0.
   double tolerance = 0.0;
-  std::set<std::string> ignored;  ///< Parameters that runs may differ in and still be compared.
+  /// Parameters that runs may differ in and still be compared; with `kernel`, also those that not
+  /// all runs have.
+  std::set<std::string> ignored;
 };
 
 /// A figure that is not the same in two runs.
 struct Change {
-  std::string stage;   ///< Empty if it is of the whole run.
-  std::string figure;  ///< `issued`, `hits`, `frame_hash`.
+  /// Or `All stages`, `Source` or `Output`; empty if it is of the run otherwise.
+  std::string stage;
+  std::string figure;  ///< `issued`, `tests`, `output_hash`.
   const Unit* unit;    ///< Of numbers.
   bool is_detail;      ///< Of one instruction, or of lists of lanes; its stage's sums say more.
   nlohmann::ordered_json before;     ///< A number or a hash; null if the figure is not there.
@@ -58,7 +61,7 @@ struct Comparison {
 };
 
 /// Compares runs of equal parameters. Throws InputError if a report has two runs that differ in
-/// nothing but what `options` ignores.
+/// nothing but what `options` ignores, or if that is no parameter of a run in either.
 Comparison compare(const NamedReport& before, const NamedReport& after,
                    const CompareOptions& options);
 

@@ -1,103 +1,84 @@
 // SPDX-License-Identifier: MIT
-// One configuration of an experiment, with every parameter resolved, and the names that options and
-// reports use for its choices.
+// One configuration of an experiment, with every parameter resolved: what identifies a run. Nothing
+// here knows a parameter of a kind of work or of a kernel; they are found by name.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "kernels/kernel.h"
-#include "workloads/geometry/mesh.h"
-#include "workloads/micropolygons/sample_grid.h"
-#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
 
-/// A kernel at one width on one scene: all that decides what a run counts.
-struct Configuration {
-  std::string kernel = "lockstep";
-  int width = 16;
-  Mode mode = Mode::kCounting;
-  KernelOptions options;
-  /// The name of a built-in scene, or the path of a mesh file.
-  std::string scene;
-  /// How the faces of a mesh become patches; none for a built-in scene.
-  std::optional<MeshPatches> mesh_patches;
-  int frame = 0;
-  float turn_degrees = 0.0f;  ///< Turns the picture about the view axis.
-  /// Without what the kernel and the sampling decide; see tessellation_options.
-  TessellationOptions tessellation;
-  int samples_per_pixel = 4;
-  bool jitter = true;
-  std::uint64_t seed = 1;  ///< Of the jitter.
-  /// Memory and source lines are observed in every so many packets; 0 in none, 1 in all.
-  int observe_every = 16;
+inline constexpr int kMostWidth = 64;
 
-  Micropolygon shape() const { return options.shape; }
-  bool is_mesh() const { return mesh_patches.has_value(); }
-  SampleGrid sample_grid() const;
-  /// `tessellation`, with the shape that the kernel expects and the cells of the sample grid.
-  TessellationOptions tessellation_options() const;
-};
-
-/// Whether the packets of two configurations are the same, so that one tessellation feeds both.
-bool same_tessellation(const Configuration& a, const Configuration& b);
-
-/// A choice and the word for it on the command line and in reports.
-template <class Value>
-struct Choice {
-  std::string_view name;
-  Value value;
-};
-
+/// The modes that a user can ask for.
 inline constexpr std::array<Choice<Mode>, 3> kModes{
     {{"counting", Mode::kCounting}, {"checked", Mode::kChecked}, {"uncounted", Mode::kUncounted}}};
-inline constexpr std::array<Choice<Edges>, 2> kEdges{
-    {{"inline", Edges::kInline}, {"precomputed", Edges::kPrecomputed}}};
-inline constexpr std::array<Choice<Micropolygon>, 2> kShapes{
-    {{"triangle", Micropolygon::kTriangle}, {"quad", Micropolygon::kQuad}}};
-inline constexpr std::array<Choice<MeshPatches>, 3> kMeshPatches{
-    {{"linear", MeshPatches::kLinear}, {"pn", MeshPatches::kPn}, {"phong", MeshPatches::kPhong}}};
-inline constexpr std::array<Choice<bool>, 2> kSwitch{{{"on", true}, {"off", false}}};
 
-/// The word for `value`. Requires that it is among the choices.
-template <class Value, std::size_t kCount>
-std::string_view name_of(const std::array<Choice<Value>, kCount>& choices, Value value) {
-  for (const Choice<Value>& choice : choices)
-    if (choice.value == value) return choice.name;
-  return {};
-}
+/// A kernel at one width on one scene: all that decides what a run counts.
+struct Configuration {
+  std::string kernel;
+  int width = 16;
+  /// The name of a built-in scene, or the path of a file.
+  std::string scene;
+  Mode mode = Mode::kCounting;
+  /// Memory and source lines are observed in every so many pieces of work; 0 in none, 1 in all.
+  int observe_every = 16;
+  /// Of the kind of work, then of the kernel: every parameter that they take.
+  Arguments arguments;
 
-/// The choice of that name, if there is one.
-template <class Value, std::size_t kCount>
-std::optional<Value> find_choice(const std::array<Choice<Value>, kCount>& choices,
-                                 std::string_view name) {
-  for (const Choice<Value>& choice : choices)
-    if (choice.name == name) return choice.value;
-  return std::nullopt;
-}
+  bool operator==(const Configuration&) const = default;
+};
 
-/// The names of descriptors: of kernels(), scenes(), tables().
-template <class Descriptor>
-std::vector<std::string> names_of(const std::vector<const Descriptor*>& descriptors) {
-  std::vector<std::string> names;
-  for (const Descriptor* descriptor : descriptors) names.emplace_back(descriptor->name);
-  return names;
-}
+/// The parameters that every kernel has: those of the members of Configuration.
+const Parameters<Configuration>& run_parameters();
 
-/// The names of choices as a sentence lists them: `on or off`, `1, 4 or 9`.
-std::string list_or(std::span<const std::string> names);
+/// The parameters of runs of a kernel, in the order of the JSON form: those of every run, of its
+/// kind of work, of the kernel.
+std::vector<Parameter> parameters_of(const Kernel& kernel);
 
-template <class Value, std::size_t kCount>
-std::string list_or(const std::array<Choice<Value>, kCount>& choices) {
-  std::array<std::string, kCount> names;
-  for (std::size_t i = 0; i < kCount; ++i) names[i] = choices[i].name;
-  return list_or(std::span<const std::string>(names));
-}
+/// The parameters of all kernels of the program, each once, in the order of their first kernels.
+const std::vector<Parameter>& all_parameters();
+
+/// The parameter of that name among those of all kernels, or null.
+const Parameter* find_parameter(std::string_view name);
+
+/// The names of the kernels that take a parameter; `every kernel` if all do.
+std::string takers_of(std::string_view parameter);
+
+/// The value of a parameter; nothing if the configuration does not have it.
+Value value_of(const Configuration& configuration, std::string_view parameter);
+
+/// Sets a parameter. Requires a value that it allows, and a parameter of run_parameters or of
+/// `arguments`; others are added at the end of `arguments`.
+void set_value(Configuration& configuration, std::string_view parameter, Value value);
+
+/// All parameters of a configuration with their values, in order.
+Arguments all_values(const Configuration& configuration);
+
+/// A configuration in which every parameter has a value: `given` ones, else the defaults of the
+/// kernel and its kind of work, else what the scene decides; those that the kernel does not take
+/// are left out. If none is given, the kernel is the first that issues instructions, and the scene
+/// the first of its kind of work.
+/// Throws InputError for a kernel or a scene that there is not, and ParameterError for values that
+/// are not allowed, alone or together.
+Configuration resolved(const Arguments& given);
+
+/// The kind of work of a configuration. Requires that the program has its kernel.
+const Workload& workload_of(const Configuration& configuration);
+
+/// Opens the scene of a configuration. Throws InputError as Workload::open does.
+std::unique_ptr<Source> open_source(const Configuration& configuration);
+
+/// Whether the pieces of work of two configurations are the same, so that one source feeds both.
+bool same_source(const Configuration& a, const Configuration& b);
+
+/// The value of the facet of its kind of work (Workload::facet) as text, empty if it has none or
+/// the program does not know the kernel.
+std::string facet_of(const Configuration& configuration);
 
 }  // namespace lanescope

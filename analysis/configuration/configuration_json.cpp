@@ -2,131 +2,218 @@
 #include "analysis/configuration/configuration_json.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "analysis/base/json_text.h"
-#include "simulator/base/error.h"
 
 namespace lanescope {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kMaxWidth = 64;
-
-template <class Value, std::size_t kCount>
-Value read_choice(const JsonCursor& cursor, const std::array<Choice<Value>, kCount>& choices) {
-  const auto value = find_choice(choices, cursor.string());
-  if (!value) cursor.fail(list_or(choices));
-  return *value;
+/// The value in the type of the parameter; nothing if it is of another type.
+Value typed(const Parameter& parameter, const Json& json) {
+  switch (parameter.kind) {
+    case Parameter::Kind::kSwitch:
+      if (json.is_boolean()) return json.get<bool>();
+      break;
+    case Parameter::Kind::kInteger:
+      if (json.is_number_unsigned()) return json.get<std::uint64_t>();
+      break;
+    case Parameter::Kind::kNumber:
+      if (json.is_number()) return static_cast<float>(json.get<double>());
+      break;
+    case Parameter::Kind::kChoice:
+    case Parameter::Kind::kText:
+      if (json.is_string()) return json.get<std::string>();
+      break;
+  }
+  return {};
 }
 
-float read_float(const JsonCursor& cursor) {
-  const double number = cursor.number();
-  if (std::abs(number) > std::numeric_limits<float>::max())
-    cursor.fail("a number in the range of single precision");
-  return static_cast<float>(number);
+/// The value of a parameter that this program does not know.
+Value untyped(const JsonCursor& cursor, const Json& json) {
+  if (json.is_null()) return {};
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number_unsigned()) return json.get<std::uint64_t>();
+  if (json.is_string()) return json.get<std::string>();
+  if (json.is_number() && std::isfinite(static_cast<float>(json.get<double>())))
+    return static_cast<float>(json.get<double>());
+  cursor.fail("a value of a parameter");
 }
 
-using Source = const JsonCursor&;
-using From = const Configuration&;
-using Into = Configuration&;
+std::string expected(const Parameter& parameter) {
+  return parameter.kind == Parameter::Kind::kSwitch ? "true or false" : parameter.allowed_values();
+}
 
-/// A parameter: its name, how it is written, and how it is read.
-struct Parameter {
-  std::string_view name;
-  Json (*write)(From c);
-  void (*read)(Source value, Into c);
-};
+/// The whole text as a number; false if that is not what it is.
+template <class Number>
+bool read_whole(std::string_view text, Number& number) {
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, number);
+  return result.ec == std::errc() && result.ptr == end;
+}
 
-/// In the order of the JSON form.
-constexpr Parameter kParameters[] = {
-    {"kernel", [](From c) { return Json(c.kernel); },
-     [](Source value, Into c) { c.kernel = value.string(); }},
-    {"width_lanes", [](From c) { return Json(c.width); },
-     [](Source value, Into c) { c.width = value.integer(1, kMaxWidth); }},
-    {"micropolygon", [](From c) { return Json(name_of(kShapes, c.shape())); },
-     [](Source value, Into c) { c.options.shape = read_choice(value, kShapes); }},
-    {"scene", [](From c) { return Json(c.scene); },
-     [](Source value, Into c) { c.scene = value.string(); }},
-    {"mesh_patches",
-     [](From c) { return c.is_mesh() ? Json(name_of(kMeshPatches, *c.mesh_patches)) : Json(); },
-     [](Source value, Into c) {
-       c.mesh_patches.reset();
-       if (!value.is_null()) c.mesh_patches = read_choice(value, kMeshPatches);
-     }},
-    {"frame", [](From c) { return Json(c.frame); },
-     [](Source value, Into c) { c.frame = value.integer(0); }},
-    {"turn_degrees", [](From c) { return Json(json_number(c.turn_degrees)); },
-     [](Source value, Into c) { c.turn_degrees = read_float(value); }},
-    {"mode", [](From c) { return Json(name_of(kModes, c.mode)); },
-     [](Source value, Into c) { c.mode = read_choice(value, kModes); }},
-    {"cull_backfaces", [](From c) { return Json(c.options.cull_backfaces); },
-     [](Source value, Into c) { c.options.cull_backfaces = value.boolean(); }},
-    {"edges", [](From c) { return Json(name_of(kEdges, c.options.edges)); },
-     [](Source value, Into c) { c.options.edges = read_choice(value, kEdges); }},
-    {"stream_load_threshold",
-     [](From c) { return Json(json_number(c.options.stream_load_threshold)); },
-     [](Source value, Into c) { c.options.stream_load_threshold = read_float(value); }},
-    {"width_px", [](From c) { return Json(c.tessellation.width_px); },
-     [](Source value, Into c) { c.tessellation.width_px = value.integer(1); }},
-    {"height_px", [](From c) { return Json(c.tessellation.height_px); },
-     [](Source value, Into c) { c.tessellation.height_px = value.integer(1); }},
-    {"samples_per_pixel", [](From c) { return Json(c.samples_per_pixel); },
-     [](Source value, Into c) { c.samples_per_pixel = value.integer(1); }},
-    {"jitter", [](From c) { return Json(c.jitter); },
-     [](Source value, Into c) { c.jitter = value.boolean(); }},
-    {"seed", [](From c) { return Json(c.seed); },
-     [](Source value, Into c) { c.seed = value.count(); }},
-    {"dice_area_px", [](From c) { return Json(json_number(c.tessellation.dice_area_px)); },
-     [](Source value, Into c) { c.tessellation.dice_area_px = read_float(value); }},
-    {"grid_limit", [](From c) { return Json(c.tessellation.grid_limit); },
-     [](Source value, Into c) { c.tessellation.grid_limit = value.integer(1); }},
-    {"packet_capacity", [](From c) { return Json(c.tessellation.packet_capacity); },
-     [](Source value, Into c) { c.tessellation.packet_capacity = value.integer(1); }},
-    {"grid_overlap_px", [](From c) { return Json(json_number(c.tessellation.grid_overlap_px)); },
-     [](Source value, Into c) { c.tessellation.grid_overlap_px = read_float(value); }},
-    {"observe_every", [](From c) { return Json(c.observe_every); },
-     [](Source value, Into c) { c.observe_every = value.integer(0); }},
-};
+Value parsed(const Parameter& parameter, std::string_view text) {
+  std::uint64_t integer = 0;
+  float number = 0.0f;
+  switch (parameter.kind) {
+    case Parameter::Kind::kSwitch:
+      if (text == "on" || text == "off") return text == "on";
+      return {};
+    case Parameter::Kind::kInteger:
+      return read_whole(text, integer) ? Value(integer) : Value();
+    case Parameter::Kind::kNumber:
+      return read_whole(text, number) ? Value(number) : Value();
+    case Parameter::Kind::kChoice:
+    case Parameter::Kind::kText:
+      return std::string(text);
+  }
+  return {};
+}
 
-const Parameter& find_parameter(std::string_view name) {
-  const auto* const found = std::find_if(std::begin(kParameters), std::end(kParameters),
-                                         [&](const Parameter& p) { return p.name == name; });
-  LANESCOPE_CHECK(found != std::end(kParameters), "{} is not a parameter", name);
-  return *found;
+/// What `untyped` reads.
+Json untyped_schema() {
+  return {{"type", {"boolean", "number", "string", "null"}},
+          {"minimum", json_number(std::numeric_limits<float>::lowest())},
+          {"maximum", json_number(std::numeric_limits<float>::max())}};
+}
+
+std::vector<std::string> member_names(const Kernel& kernel) {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : parameters_of(kernel)) names.emplace_back(parameter.name());
+  return names;
+}
+
+Json parameter_schema(const Parameter& parameter) {
+  Json schema = {
+      {"description",
+       fmt::format("{}{}{}{}", parameter.words.help, parameter.words.unit.empty() ? "" : " (",
+                   parameter.words.unit, parameter.words.unit.empty() ? "" : ")")}};
+  switch (parameter.kind) {
+    case Parameter::Kind::kSwitch:
+      schema["type"] = "boolean";
+      break;
+    case Parameter::Kind::kInteger:
+      schema["type"] = "integer";
+      if (parameter.allowed.empty()) {
+        schema["minimum"] = parameter.low;
+        schema["maximum"] = parameter.high;
+      } else {
+        schema["enum"] = parameter.allowed;
+      }
+      break;
+    case Parameter::Kind::kNumber:
+      schema["type"] = "number";
+      schema["minimum"] = json_number(parameter.least);
+      schema["maximum"] = json_number(parameter.most);
+      break;
+    case Parameter::Kind::kChoice:
+      schema["enum"] = parameter.choices;
+      break;
+    case Parameter::Kind::kText:
+      schema["type"] = "string";
+      break;
+  }
+  if (!std::holds_alternative<std::monostate>(parameter.fallback)) return schema;
+  if (schema.contains("enum"))
+    schema["enum"].push_back(nullptr);
+  else
+    schema["type"] = Json::array({schema["type"], "null"});
+  return schema;
+}
+
+/// The parameters of one kernel, and no others.
+Json kernel_schema(const Kernel& kernel) {
+  Json properties = Json::object();
+  for (const Parameter& parameter : parameters_of(kernel))
+    properties[std::string(parameter.name())] = parameter_schema(parameter);
+  properties["kernel"]["const"] = kernel.name;
+  return {{"required", member_names(kernel)},
+          {"properties", std::move(properties)},
+          {"additionalProperties", false}};
 }
 
 }  // namespace
 
-std::vector<std::string> parameter_names() {
-  std::vector<std::string> names;
-  for (const Parameter& parameter : kParameters) names.emplace_back(parameter.name);
-  return names;
-}
-
-Json parameter_json(std::string_view name, const Configuration& configuration) {
-  return find_parameter(name).write(configuration);
-}
-
-void read_parameter(std::string_view name, const JsonCursor& value, Configuration& configuration) {
-  find_parameter(name).read(value, configuration);
+Json value_json(const Value& value) {
+  struct Writer {
+    Json operator()(std::monostate) const { return nullptr; }
+    Json operator()(bool on) const { return on; }
+    Json operator()(std::uint64_t integer) const { return integer; }
+    Json operator()(float number) const { return json_number(number); }
+    Json operator()(const std::string& word) const { return word; }
+  };
+  return std::visit(Writer{}, value);
 }
 
 Json configuration_json(const Configuration& configuration) {
   Json json = Json::object();
-  for (const Parameter& parameter : kParameters)
-    json[std::string(parameter.name)] = parameter.write(configuration);
+  for (const auto& [name, value] : all_values(configuration).all()) json[name] = value_json(value);
   return json;
 }
 
+Value read_value(const Parameter& parameter, const JsonCursor& cursor) {
+  if (cursor.is_null() && std::holds_alternative<std::monostate>(parameter.fallback)) return {};
+  const Value value = typed(parameter, cursor.value());
+  if (!std::holds_alternative<std::monostate>(value) && parameter.allows(value)) return value;
+  const std::string near =
+      parameter.kind == Parameter::Kind::kChoice && cursor.value().is_string()
+          ? did_you_mean(cursor.string(), {parameter.choices.begin(), parameter.choices.end()})
+          : "";
+  cursor.fail(expected(parameter) + near);
+}
+
+Value parse_value(const Parameter& parameter, std::string_view text, std::string_view option) {
+  const Value value = parsed(parameter, text);
+  if (!std::holds_alternative<std::monostate>(value) && parameter.allows(value)) return value;
+  throw InputError(option, "'{}' is not {}{}", text, parameter.allowed_values(),
+                   parameter.kind == Parameter::Kind::kChoice
+                       ? did_you_mean(text, {parameter.choices.begin(), parameter.choices.end()})
+                       : "");
+}
+
 Configuration read_configuration(const JsonCursor& cursor) {
-  cursor.require_members(parameter_names());
+  const Kernel* const kernel = known_kernel(cursor.member("kernel").string());
+  if (kernel) cursor.require_members(member_names(*kernel));
   Configuration c;
-  for (const Parameter& parameter : kParameters) parameter.read(cursor.member(parameter.name), c);
+  for (const auto& binding : run_parameters()) {
+    const JsonCursor member = cursor.member(binding.parameter().name());
+    binding.set(c, read_value(binding.parameter(), member));
+  }
+  for (const std::string& name : cursor.member_names()) {
+    if (all_values(Configuration{}).contains(name)) continue;
+    const JsonCursor member = cursor.member(name);
+    const Parameter* const parameter = kernel ? find_parameter(name) : nullptr;
+    c.arguments.set(name,
+                    parameter ? read_value(*parameter, member) : untyped(member, member.value()));
+  }
   return c;
+}
+
+Json configuration_schema() {
+  Json kernels_schema = Json::array();
+  for (const Kernel* kernel : kernels()) {
+    kernels_schema.push_back({{"if", {{"properties", {{"kernel", {{"const", kernel->name}}}}}}},
+                              {"then", kernel_schema(*kernel)}});
+  }
+  Json common = Json::object();
+  Json required = Json::array();
+  for (const auto& binding : run_parameters()) {
+    const Parameter& parameter = binding.parameter();
+    common[std::string(parameter.name())] = parameter_schema(parameter);
+    required.push_back(parameter.name());
+  }
+  return {{"description",
+           "Every parameter of the run, resolved: what identifies it. Those of each kernel that "
+           "this program has are listed; another program's kernels have others."},
+          {"type", "object"},
+          {"required", std::move(required)},
+          {"properties", std::move(common)},
+          {"additionalProperties", untyped_schema()},
+          {"allOf", std::move(kernels_schema)}};
 }
 
 }  // namespace lanescope

@@ -4,29 +4,30 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "analysis/base/json_cursor.h"
 #include "analysis/configuration/configuration.h"
 
 namespace lanescope {
 
+/// A switch as a boolean, a word as a string, nothing as null.
+nlohmann::ordered_json value_json(const Value& value);
+
 nlohmann::ordered_json configuration_json(const Configuration& configuration);
 
-/// Throws InputError for missing or unknown members and for values of a wrong type or range.
-/// Whether the kernel and the scene exist is not checked: a report outlives the program that made
-/// it.
+/// Throws InputError for missing or unknown members and for values of a wrong type or out of range.
+/// A kernel that this program does not have may have any parameters of its own beside those of
+/// every run, and scenes are not looked for: a report outlives the program that made it.
 Configuration read_configuration(const JsonCursor& cursor);
 
-/// The members of the JSON form, in its order.
-std::vector<std::string> parameter_names();
+/// Reads a value of a parameter. Throws InputError, saying where, what was found and what would be
+/// right.
+Value read_value(const Parameter& parameter, const JsonCursor& value);
 
-/// One member of the JSON form. Requires the name of a parameter, as read_parameter does.
-nlohmann::ordered_json parameter_json(std::string_view name, const Configuration& configuration);
+/// Reads a value of a parameter of the command line. `option` names it in messages.
+Value parse_value(const Parameter& parameter, std::string_view text, std::string_view option);
 
-/// Sets one parameter. Throws InputError for a value of a wrong type, as read_configuration does.
-void read_parameter(std::string_view name, const JsonCursor& value, Configuration& configuration);
+/// The JSON Schema of `parameters` of a run: for each kernel of the program its own parameters.
+nlohmann::ordered_json configuration_schema();
 
 }  // namespace lanescope

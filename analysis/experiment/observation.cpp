@@ -49,22 +49,39 @@ void MemoryAndSource::issued(const IssueEvent& event) {
 
 void MemoryAndSource::add_touches(MemoryRecord& memory, const IssueEvent& event) {
   lines_touched_.clear();
-  elements_stored_.clear();
   std::size_t lines = 0;
-  std::uint64_t lanes_in_conflict = 0;
+  bool stores = false, ascend = true;
+  std::int64_t latest = -1, latest_line = -1;
   for (const Touch& touch : event.touches) {
-    lines += lines_touched_.insert(touch.byte / kLineBytes);
-    if (touch.stores() && !elements_stored_.insert(touch.byte))
-      lanes_in_conflict |= std::uint64_t{1} << touch.lane;
+    const auto byte = static_cast<std::int64_t>(touch.byte);
+    const auto line = static_cast<std::int64_t>(touch.byte / kLineBytes);
+    if (line != latest_line) lines += lines_touched_.insert(touch.byte / kLineBytes);
+    stores |= touch.stores();
+    ascend &= byte > latest;
+    latest = byte;
+    latest_line = line;
   }
+  // A lane may touch several words: there can be more lines than lanes.
+  memory.lines_histogram.resize(std::max(
+      {memory.lines_histogram.size(), lines + 1, static_cast<std::size_t>(event.width) + 1}));
   memory.issued += 1;
   memory.active += static_cast<std::uint64_t>(std::popcount(event.active));
   memory.lines += lines;
   // Records of several words can touch more lines than there are lanes.
-  memory.lines_histogram.resize(std::max(
-      {memory.lines_histogram.size(), static_cast<std::size_t>(event.width) + 1, lines + 1}));
+  const std::size_t places = std::max(static_cast<std::size_t>(event.width), lines) + 1;
+  if (memory.lines_histogram.size() < places) memory.lines_histogram.resize(places);
   memory.lines_histogram[lines] += 1;
-  memory.conflicts += static_cast<std::uint64_t>(std::popcount(lanes_in_conflict));
+  // Where elements ascend, as they mostly do, no two are the same.
+  if (stores && !ascend) memory.conflicts += count_conflicts(event.touches);
+}
+
+std::uint64_t MemoryAndSource::count_conflicts(std::span<const Touch> touches) {
+  elements_stored_.clear();
+  std::uint64_t lanes_in_conflict = 0;
+  for (const Touch& touch : touches)
+    if (touch.stores() && !elements_stored_.insert(touch.byte))
+      lanes_in_conflict |= std::uint64_t{1} << touch.lane;
+  return static_cast<std::uint64_t>(std::popcount(lanes_in_conflict));
 }
 
 MemoryAndSource& MemoryAndSource::operator+=(const MemoryAndSource& other) {
@@ -112,12 +129,8 @@ std::vector<SourceLineRecord> MemoryAndSource::source_lines(
   return records;
 }
 
-bool is_observed(const Packet& packet, int every, int packet_capacity) {
-  if (every == 0) return false;
-  const std::uint64_t segment = packet.first_id >> 32;
-  const std::uint64_t ordinal =
-      (packet.first_id & 0xffffffffu) / static_cast<std::uint64_t>(packet_capacity);
-  return (segment + ordinal) % static_cast<std::uint64_t>(every) == 0;
+bool is_observed(const Work& work, int every) {
+  return every != 0 && (work.segment + work.ordinal) % static_cast<std::uint64_t>(every) == 0;
 }
 
 }  // namespace lanescope

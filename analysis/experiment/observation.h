@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,19 +13,25 @@
 
 #include "analysis/report/report.h"
 #include "simulator/observer.h"
+#include "workloads/work.h"
 
 namespace lanescope {
 
 /// A set of numbers that is cleared in no time: for one instruction after another.
 class SmallSet {
  public:
-  void clear() { ++generation_; }
-  /// Whether the number is new. Requires fewer than kSlots different numbers.
+  void clear() {
+    ++generation_;
+    size_ = 0;
+  }
+  /// Whether the number is new.
   bool insert(std::uint64_t number) {
-    for (std::size_t i = number * 0x9e3779b97f4a7c15u >> kShift;; i = (i + 1) % kSlots) {
+    if (2 * size_ >= slots_.size()) grow();
+    for (std::size_t i = number * 0x9e3779b97f4a7c15u >> shift_;; i = (i + 1) % slots_.size()) {
       Slot& slot = slots_[i];
       if (slot.generation != generation_) {
         slot = {number, generation_};
+        ++size_;
         return true;
       }
       if (slot.number == number) return false;
@@ -34,19 +39,27 @@ class SmallSet {
   }
 
  private:
-  static constexpr int kBits = 9;
-  static constexpr int kShift = 64 - kBits;
-  static constexpr std::size_t kSlots = std::size_t{1} << kBits;
   struct Slot {
     std::uint64_t number = 0;
     std::uint64_t generation = 0;
   };
-  std::array<Slot, kSlots> slots_{};
+
+  void grow() {
+    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(2 * slots_.size()));
+    --shift_;
+    size_ = 0;
+    for (const Slot& slot : old)
+      if (slot.generation == generation_) insert(slot.number);
+  }
+
+  int shift_ = 64 - 9;  ///< Leaves as many bits as there are in the place of a slot.
+  std::vector<Slot> slots_ = std::vector<Slot>(std::size_t{1} << 9);
   std::uint64_t generation_ = 1;
+  std::size_t size_ = 0;  ///< Numbers of this generation.
 };
 
 /// Sums of observed executions, by stage and instruction and by line of source. Observations merge
-/// by addition, so that packets may be observed in any order on any thread.
+/// by addition, so that pieces may be observed in any order on any thread.
 class MemoryAndSource final : public Observer {
  public:
   MemoryAndSource() = default;
@@ -88,6 +101,8 @@ class MemoryAndSource final : public Observer {
 
   Sum& sum_at(const Place& place);
   void add_touches(MemoryRecord& memory, const IssueEvent& event);
+  /// Lanes that store to an element that an earlier one has stored to.
+  std::uint64_t count_conflicts(std::span<const Touch> touches);
 
   std::unordered_map<Place, Sum, PlaceHash> sums_;
   std::array<Recent, kRecent> recent_{};
@@ -95,8 +110,8 @@ class MemoryAndSource final : public Observer {
   SmallSet elements_stored_;
 };
 
-/// Whether memory and source are observed in the packet that begins with that micropolygon. Depends
-/// on the packet alone; the first packet of a scene is always observed unless `every` is 0.
-bool is_observed(const Packet& packet, int every, int packet_capacity);
+/// Whether memory and source are observed in a piece of work. Depends on its place alone; the first
+/// piece of a source is always observed unless `every` is 0.
+bool is_observed(const Work& work, int every);
 
 }  // namespace lanescope

@@ -20,10 +20,10 @@ struct Place {
 std::string line(const Place& place, std::string_view quantity, const Figure& figure,
                  std::string_view words) {
   const auto difference =
-      figure.ours && figure.thesis ? std::optional(*figure.ours - *figure.thesis) : std::nullopt;
+      figure.ours && figure.paper ? std::optional(*figure.ours - *figure.paper) : std::nullopt;
   return csv_line({place.table.name, place.table.caption, place.group, place.row, place.column,
                    std::string(quantity), words.empty() ? std::string(figure.unit->name) : "",
-                   number(figure.ours), number(figure.thesis), number(difference),
+                   number(figure.ours), number(figure.paper), number(difference),
                    std::string(words)});
 }
 
@@ -46,7 +46,7 @@ std::string table_lines(const TableData& data) {
 }
 
 std::string write(const std::vector<TableData>& tables) {
-  std::string text = "table,scenes,group,row,column,quantity,unit,ours,thesis,difference,words\n";
+  std::string text = "table,scenes,group,row,column,quantity,unit,ours,paper,difference,words\n";
   for (const TableData& data : tables) text += table_lines(data);
   return text;
 }

@@ -14,7 +14,7 @@ bool any_cell(const TableData& data, std::size_t column, bool (*holds)(const Cel
   });
 }
 
-bool has_thesis(const Cell& cell) { return cell.figure && cell.figure->thesis; }
+bool has_paper(const Cell& cell) { return cell.figure && cell.figure->paper; }
 bool has_words(const Cell& cell) { return !cell.words.empty(); }
 
 WordGrid::Line line_of(const Row& row, const std::vector<bool>& compared) {
@@ -23,7 +23,7 @@ WordGrid::Line line_of(const Row& row, const std::vector<bool>& compared) {
     const Cell& cell = row.cells[i];
     line.cells.push_back(shown(cell));
     if (!compared[i]) continue;
-    line.cells.push_back(cell.figure ? shown_thesis(*cell.figure) : "");
+    line.cells.push_back(cell.figure ? shown_paper(*cell.figure) : "");
     line.cells.push_back(cell.figure ? shown_difference(*cell.figure) : "");
   }
   return line;
@@ -31,8 +31,8 @@ WordGrid::Line line_of(const Row& row, const std::vector<bool>& compared) {
 
 }  // namespace
 
-std::string joined(const std::vector<TableData>& tables, std::string_view gap,
-                   std::string (*write_table)(const TableData& data)) {
+std::string write_each(const std::vector<TableData>& tables, std::string_view gap,
+                       std::string (*write_table)(const TableData& data)) {
   std::string text;
   for (const TableData& data : tables) {
     if (!text.empty()) text += gap;
@@ -52,7 +52,7 @@ WordGrid word_grid(const TableData& data) {
   WordGrid grid;
   std::vector<bool> compared;
   for (std::size_t i = 0; i < data.columns.size(); ++i) {
-    compared.push_back(any_cell(data, i, has_thesis));
+    compared.push_back(any_cell(data, i, has_paper));
     grid.columns.push_back({data.columns[i], true, any_cell(data, i, has_words)});
     if (!compared.back()) continue;
     grid.columns.push_back({"paper", false});

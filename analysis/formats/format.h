@@ -25,11 +25,11 @@ const std::vector<const Format*>& formats();
 const Format& find_format(std::string_view name);
 
 /// One document of all tables: each written by `write_table`, with `gap` between them.
-std::string joined(const std::vector<TableData>& tables, std::string_view gap,
-                   std::string (*write_table)(const TableData& data));
+std::string write_each(const std::vector<TableData>& tables, std::string_view gap,
+                       std::string (*write_table)(const TableData& data));
 
 /// A table as rows of words, for formats that are grids of words: each column becomes one of ours
-/// and, where the thesis has a number in it, one of the thesis's and one of the difference.
+/// and, where a paper has a number in it, one of the paper's and one of the difference.
 struct WordGrid {
   struct Column {
     std::string header;

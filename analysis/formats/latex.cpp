@@ -49,7 +49,7 @@ std::string write_table(const TableData& data) {
 }
 
 std::string write(const std::vector<TableData>& tables) {
-  return joined(tables, "\n", write_table);
+  return write_each(tables, "\n", write_table);
 }
 
 }  // namespace

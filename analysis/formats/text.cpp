@@ -83,7 +83,7 @@ class TextTable {
 };
 
 std::string write(const std::vector<TableData>& tables) {
-  return joined(tables, "\n\n", [](const TableData& data) { return TextTable(data).write(); });
+  return write_each(tables, "\n\n", [](const TableData& data) { return TextTable(data).write(); });
 }
 
 }  // namespace

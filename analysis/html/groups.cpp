@@ -7,77 +7,125 @@
 #include <map>
 #include <set>
 
-#include "analysis/configuration/configuration_json.h"
+#include "analysis/configuration/configuration.h"
+#include "analysis/tables/report_view.h"
+#include "analysis/tables/series_rows.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr std::string_view kWorkload = "workload";
 
 struct PlacedRun {
   const NamedReport* source;
   const RunRecord* run;
-  Json parameters;
+  /// The kind of work, then the parameters in their order.
+  Arguments values;
 };
 
 std::vector<PlacedRun> runs_of(const std::vector<NamedReport>& sources) {
   std::vector<PlacedRun> runs;
   for (const NamedReport& source : sources)
-    for (const RunRecord& run : source.report.runs)
-      runs.push_back({&source, &run, configuration_json(run.configuration)});
+    for (const RunRecord& run : source.report.runs) {
+      PlacedRun placed{&source, &run, {}};
+      placed.values.set(kWorkload, run.workload);
+      for (const auto& [name, value] : all_values(run.configuration).all())
+        placed.values.set(name, value);
+      runs.push_back(std::move(placed));
+    }
   return runs;
+}
+
+/// Values of arguments as a text: `edges = inline, seed = 1`.
+std::string text_of(const Arguments& arguments) {
+  std::vector<std::string> texts;
+  for (const auto& [name, value] : arguments.all())
+    texts.push_back(fmt::format("{} = {}", name, value_text(value)));
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 void check_no_run_twice(const std::vector<PlacedRun>& runs) {
   std::map<std::string, const PlacedRun*> seen;
   for (const PlacedRun& run : runs) {
-    const auto [first, is_new] = seen.emplace(run.parameters.dump(), &run);
+    const auto [first, is_new] = seen.emplace(text_of(run.values), &run);
     if (is_new) continue;
     const Configuration& c = run.run->configuration;
+    const std::string facet = shown_facet({c.kernel, facet_of(c)});
     throw InputError(run.source->name,
-                     "has a run that {} has, too: {} on {}, W = {}, {}; leave out one of the files",
-                     first->second->source->name, c.kernel, c.scene, c.width, to_string(c.shape()));
+                     "has a run that {} has, too: {} on {}, W = {}{}{}; leave out one of the files",
+                     first->second->source->name, c.kernel, c.scene, c.width,
+                     facet.empty() ? "" : ", ", facet);
   }
 }
 
-/// The values of some parameters, as a name: `edges = inline, seed = 1`.
-std::string values_of(const Json& parameters, const std::vector<std::string>& names) {
-  std::vector<std::string> texts;
-  for (const std::string& name : names) {
-    const Json& value = parameters.at(name);
-    texts.push_back(
-        fmt::format("{} = {}", name, value.is_string() ? value.get<std::string>() : value.dump()));
-  }
-  return fmt::format("{}", fmt::join(texts, ", "));
+/// Where a run stands in tables and charts.
+bool is_of_place(const PlacedRun& run, std::string_view name) {
+  return name == "kernel" || name == "width_lanes" || name == "scene" ||
+         name == facet_name(run.run->configuration.kernel);
 }
 
-/// The parameters whose values are not the same in all of the runs.
+std::string place_of(const PlacedRun& run) {
+  const Configuration& c = run.run->configuration;
+  return fmt::format("{}\n{}\n{}\n{}", c.kernel, c.width, c.scene, facet_of(c));
+}
+
+/// The parameters whose values are not the same in all of the runs that have them.
 std::set<std::string> varying(const std::vector<const PlacedRun*>& runs) {
+  std::map<std::string, const Value*> first;
   std::set<std::string> names;
   for (const PlacedRun* run : runs)
-    for (const auto& [name, value] : run->parameters.items())
-      if (value != runs.front()->parameters.at(name)) names.insert(name);
+    for (const auto& [name, value] : run->values.all())
+      if (*first.emplace(name, &value).first->second != value) names.insert(name);
   return names;
 }
 
-/// The parameters that make settings different, in the order of parameters.
-std::vector<std::string> setting_parameters(const std::vector<PlacedRun>& runs) {
-  const std::vector<std::string> place{"kernel", "width_lanes", "micropolygon", "scene"};
+bool is_decided_by_scene(const std::string& name) {
+  const Parameter* const parameter = find_parameter(name);
+  return parameter && parameter->fallback == Value();
+}
+
+/// The parameters that make settings different.
+std::set<std::string> setting_parameters(const std::vector<PlacedRun>& runs) {
   std::map<std::string, std::vector<const PlacedRun*>> by_place;
   std::vector<const PlacedRun*> all;
   for (const PlacedRun& run : runs) {
     all.push_back(&run);
-    by_place[values_of(run.parameters, place)].push_back(&run);
+    by_place[place_of(run)].push_back(&run);
   }
   std::set<std::string> names = varying(all);
-  for (const std::string& name : place) names.erase(name);
-  for (const char* of_scene : {"frame", "mesh_patches"}) names.erase(of_scene);
+  std::erase_if(names, is_decided_by_scene);
   for (const auto& [_, same] : by_place) names.merge(varying(same));
-  std::vector<std::string> ordered;
-  for (const auto& [name, _] : runs.front().parameters.items())
-    if (names.contains(name)) ordered.push_back(name);
-  return ordered;
+  return names;
+}
+
+Arguments setting_of(const PlacedRun& run, const std::set<std::string>& parameters) {
+  Arguments setting;
+  for (const auto& [name, value] : run.values.all())
+    if (parameters.contains(name) && !is_of_place(run, name)) setting.set(name, value);
+  return setting;
+}
+
+/// Whether `whole` has all the values of `part`.
+bool includes(const Arguments& whole, const Arguments& part) {
+  return std::all_of(part.all().begin(), part.all().end(), [&](const Arguments::Argument& a) {
+    return whole.contains(a.name) && whole[a.name] == a.value;
+  });
+}
+
+/// The different settings of runs, without those that another one includes.
+std::vector<Arguments> settings_of(const std::vector<Arguments>& of_runs) {
+  std::vector<Arguments> settings;
+  const auto is_included = [&](const Arguments& setting) {
+    return std::any_of(settings.begin(), settings.end(),
+                       [&](const Arguments& other) { return includes(other, setting); });
+  };
+  for (const Arguments& setting : of_runs) {
+    if (is_included(setting)) continue;
+    std::erase_if(settings, [&](const Arguments& other) { return includes(setting, other); });
+    settings.push_back(setting);
+  }
+  return settings;
 }
 
 std::vector<InstructionEntry> instructions_of(const std::vector<NamedReport>& sources) {
@@ -95,18 +143,16 @@ std::vector<InstructionEntry> instructions_of(const std::vector<NamedReport>& so
 std::vector<Group> groups_of(const std::vector<NamedReport>& sources) {
   const std::vector<PlacedRun> runs = runs_of(sources);
   check_no_run_twice(runs);
+  const std::set<std::string> parameters = setting_parameters(runs);
+  std::vector<Arguments> of_runs;
+  for (const PlacedRun& run : runs) of_runs.push_back(setting_of(run, parameters));
   std::vector<Group> groups;
-  if (runs.empty()) return groups;
-  const std::vector<std::string> parameters = setting_parameters(runs);
-  for (const PlacedRun& run : runs) {
-    const std::string name = values_of(run.parameters, parameters);
-    auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const Group& other) { return other.name == name; });
-    if (group == groups.end()) {
-      group = groups.insert(groups.end(), {name, {}});
-      group->report.instructions = instructions_of(sources);
-    }
-    group->report.runs.push_back(*run.run);
+  for (const Arguments& setting : settings_of(of_runs)) {
+    Group& group = groups.emplace_back();
+    group.name = text_of(setting);
+    group.report.instructions = instructions_of(sources);
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (includes(setting, of_runs[i])) group.report.runs.push_back(*runs[i].run);
   }
   return groups;
 }

@@ -9,16 +9,17 @@
 
 namespace lanescope {
 
-/// Runs of one setting: they differ in kernel, width, micropolygon and scene only.
+/// Runs of one setting: they differ in kernel, width, facet and scene only.
 struct Group {
   std::string name;  ///< The parameters that tell groups apart: `samples_per_pixel = 4`; or empty.
   Report report;     ///< These runs, with the instructions of all sources.
 };
 
-/// All runs, by setting, in the order in which settings first occur. Settings are all parameters
-/// but kernel, width, micropolygon and scene; a mesh and a built-in scene are of one setting, and
-/// so are scenes at different frames, unless one scene is there at several. Throws InputError if
-/// two files have the same run.
+/// All runs, by setting, in the order in which settings first occur. Settings are the kind of work
+/// and all parameters but kernel, width, scene and facet. A run whose kernel does not take a
+/// parameter is of every setting of it, so that it can be compared with each. What the scene
+/// decides makes no setting, unless one scene is there at several. Throws InputError if two files
+/// have the same run.
 std::vector<Group> groups_of(const std::vector<NamedReport>& sources);
 
 }  // namespace lanescope

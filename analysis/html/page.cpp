@@ -7,9 +7,9 @@
 #include <map>
 
 #include "analysis/html/assets.h"
+#include "analysis/html/groups.h"
 #include "analysis/html/markup.h"
 #include "analysis/html/pictures.h"
-#include "analysis/html/section.h"
 #include "analysis/html/summary.h"
 #include "simulator/base/error.h"
 
@@ -56,13 +56,15 @@ Part section_part(const Section& section, const ReportView& view, const std::str
 }
 
 /// The sections of each group; a single group needs no heading of its own.
-void add_groups(std::vector<Part>& parts, const std::vector<Group>& groups) {
+void add_groups(std::vector<Part>& parts, const std::vector<Group>& groups, const PlanOf& plan_of) {
   const bool several = groups.size() > 1;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const std::string prefix = several ? fmt::format("setting-{}-", i + 1) : "";
     if (several) parts.push_back({fmt::format("setting-{}", i + 1), groups[i].name, 2, ""});
-    const ReportView view(groups[i].report);
-    for (const Section* section : sections())
+    const Report& report = groups[i].report;
+    const PagePlan plan = plan_of(report);
+    const ReportView view(report, scenes_of(report, plan.scenes));
+    for (const Section* section : plan.sections)
       parts.push_back(section_part(*section, view, prefix, several ? 3 : 2));
   }
 }
@@ -108,13 +110,14 @@ std::string title_of(const std::vector<NamedReport>& sources) {
 
 }  // namespace
 
-std::string report_page(const std::vector<NamedReport>& sources, const std::string& pictures) {
+std::string report_page(const std::vector<NamedReport>& sources, const std::string& pictures,
+                        const PlanOf& plan_of) {
   const std::vector<Group> groups = groups_of(sources);
   if (groups.empty())
     throw InputError(sources.front().name, "has no runs; there is nothing to show");
   std::vector<Part> parts{{"runs", "What was run", 2, summary_html(sources)},
                           {"frames", "Frames", 2, pictures_html(sources, pictures)}};
-  add_groups(parts, groups);
+  add_groups(parts, groups, plan_of);
   std::string body;
   for (const Part& part : parts) body += part_html(part);
   return filled(page_template(), {{"title", html_escaped(title_of(sources))},

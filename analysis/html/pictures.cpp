@@ -8,8 +8,10 @@
 #include <filesystem>
 
 #include "analysis/base/files.h"
+#include "analysis/configuration/special_options.h"
 #include "analysis/html/markup.h"
 #include "analysis/pictures/image.h"
+#include "analysis/pictures/picture_title.h"
 
 namespace lanescope {
 namespace {
@@ -55,26 +57,16 @@ std::vector<std::string> small_files(const std::vector<Picture>& pictures) {
   return files;
 }
 
-/// The command that draws a picture that is missing.
-std::string command_for(const Picture& picture) {
-  const Configuration& c = picture.configuration;
-  const std::string scene = c.is_mesh() ? fmt::format("--mesh {} --patches {}", c.scene,
-                                                      name_of(kMeshPatches, *c.mesh_patches))
-                                        : fmt::format("--scene {} --frame {}", c.scene, c.frame);
-  return fmt::format("lanescope render {} --resolution {}x{} -o {}", scene, c.tessellation.width_px,
-                     c.tessellation.height_px, picture.path);
-}
-
 std::string picture_html(const Picture& picture, const std::string& file) {
-  const std::string scene = html_escaped(picture.configuration.scene);
+  const std::string caption = html_escaped(scene_title(picture.configuration));
   if (file.empty())
     return fmt::format(
-        "<p class=\"note\">There is no picture of {}; this draws it: <code>{}</code></p>\n", scene,
-        html_escaped(command_for(picture)));
+        "<p class=\"note\">There is no picture of {}; this draws it: <code>{}</code></p>\n",
+        caption, html_escaped(picture_command(picture.configuration, picture.path)));
   return fmt::format(
-      "<figure class=\"frame\"><img alt=\"The scene {0}, frame {1}\" "
-      "src=\"data:image/png;base64,{2}\"><figcaption>{0}, frame {1}</figcaption></figure>\n",
-      scene, picture.configuration.frame, file);
+      "<figure class=\"frame\"><img alt=\"The scene {0}\" "
+      "src=\"data:image/png;base64,{1}\"><figcaption>{0}</figcaption></figure>\n",
+      caption, file);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/html/groups.h"
+#include "analysis/report/report.h"
 
 namespace lanescope {
 

@@ -31,17 +31,18 @@ struct Chart {
 using Block = std::variant<Markup, Chart>;
 
 /// The descriptor; analysis/html/charts/<name>.cpp ends in one, and the registry lists them.
+/// Studies have sections of their own.
 struct Section {
   std::string_view id;  ///< Of the heading, to link to; letters, digits and hyphens.
   std::string_view title;
   std::string_view explanation;  ///< One sentence.
   /// Figures of one setting of an experiment: every run differs from the others in kernel, width,
-  /// micropolygon or scene. `view` has the scenes that figures are averaged over. Without blocks,
-  /// or with charts that have no rows, the page says that the report has no such figures.
+  /// facet or scene. `view` has the scenes that figures are averaged over. Without blocks, or with
+  /// charts that have no rows, the page says that the report has no such figures.
   std::vector<Block> (*build)(const ReportView& view);
 };
 
-/// Every section, in the order of analysis/html/charts/CMakeLists.txt.
+/// Every section that any run can have, in the order of analysis/html/charts/CMakeLists.txt.
 const std::vector<const Section*>& sections();
 
 }  // namespace lanescope

@@ -4,42 +4,85 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <set>
+#include <bit>
 
 #include "analysis/pictures/palette.h"
-#include "analysis/tables/thesis.h"
-#include "analysis/tables/thesis_figures.h"
 
 namespace lanescope {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// More widths than this leave no room for a label or a point at each.
+constexpr std::size_t kMostLabelled = 12;
+/// The facet, as tables and choices call it.
+constexpr const char* kWork = "Work";
+
+bool are_many(const std::vector<int>& widths) { return widths.size() > kMostLabelled; }
+
+/// Appends what the list does not have.
+void add(std::vector<std::string>& list, const std::string& name) {
+  if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
+}
+
+std::vector<std::string> facets_of(const Report& report) {
+  std::vector<std::string> facets;
+  for (const Series& series : series_of(report)) add(facets, shown_facet(series));
+  return facets;
+}
+
 Json stage_encoding(const Report& report) {
   Json range = Json::array();
   const std::vector<std::string> stages = stages_of(report);
-  for (std::size_t place = 0; place < stages.size(); ++place)
-    range.push_back(colour_text(stage_colour(stages[place], place)));
+  for (const std::string& stage : stages) range.push_back(colour_text(stage_colour(stage)));
   return {{"field", "stage"},
           {"type", "nominal"},
           {"title", "Stage"},
           {"scale", {{"domain", stages}, {"range", std::move(range)}}}};
 }
 
-Json lanes_axis(const Report& report) {
+/// The widths that an axis labels: all; of many the narrowest and some `most` multiples of a power
+/// of two.
+std::vector<int> labelled(const std::vector<int>& widths, int most) {
+  if (!are_many(widths)) return widths;
+  int step = 1;
+  while ((widths.back() - widths.front()) / step > most) step *= 2;
+  std::vector<int> labels{widths.front()};
+  for (int width = (widths.front() / step + 1) * step; width <= widths.back(); width += step)
+    labels.push_back(width);
+  return labels;
+}
+
+/// Few widths are powers of two in the main; all of a range are seen best at equal distances.
+Json lanes_scale(const std::vector<int>& widths) {
+  if (are_many(widths))
+    return {{"nice", false}, {"zero", false}, {"domain", {widths.front() - 1, widths.back() + 1}}};
   constexpr double kMargin = 1.19;  // A quarter of an octave.
+  return {{"type", "log"},
+          {"base", 2},
+          {"nice", false},
+          {"domain", {widths.front() / kMargin, widths.back() * kMargin}}};
+}
+
+Json lanes_axis(const Report& report) {
   const std::vector<int> widths = widths_of(report);
   return {{"field", "lanes"},
           {"type", "quantitative"},
           {"title", "W (lanes)"},
-          {"scale",
-           {{"type", "log"},
-            {"base", 2},
-            {"nice", false},
-            {"domain", {widths.front() / kMargin, widths.back() * kMargin}}}},
-          {"axis", {{"values", widths}, {"format", "d"}, {"grid", false}}}};
+          {"scale", lanes_scale(widths)},
+          {"axis", {{"values", labelled(widths, 8)}, {"format", "d"}, {"grid", false}}}};
+}
+
+Json bars_axis(const Report& report) {
+  return {{"field", "lanes"},
+          {"type", "ordinal"},
+          {"title", "W (lanes)"},
+          {"axis", {{"labelAngle", 0}, {"values", labelled(widths_of(report), 4)}}}};
+}
+
+Json points(const Report& report) {
+  if (are_many(widths_of(report))) return false;
+  return {{"size", 40}};
 }
 
 void fill_in(Json& spec, const Report& report) {
@@ -47,10 +90,19 @@ void fill_in(Json& spec, const Report& report) {
     spec = stage_encoding(report);
   } else if (spec == "@lanes") {
     spec = lanes_axis(report);
+  } else if (spec == "@W") {
+    spec = bars_axis(report);
+  } else if (spec == "@point") {
+    spec = points(report);
+  } else if (spec == "@ink_point") {
+    spec = points(report);
+    if (spec.is_object()) spec.update({{"fill", "currentColor"}, {"stroke", nullptr}});
   } else if (spec == "@stages") {
     spec = stages_of(report);
   } else if (spec == "@kernels") {
     spec = kernels_of(report);
+  } else if (spec == "@facets") {
+    spec = facets_of(report);
   } else if (spec == "@scenes") {
     spec = scenes_of(report);
   } else if (spec.is_structured()) {
@@ -58,63 +110,31 @@ void fill_in(Json& spec, const Report& report) {
   }
 }
 
-template <class Values>
-auto first_or(const Values& values, const typename Values::value_type& wanted) {
-  return std::find(values.begin(), values.end(), wanted) != values.end() ? wanted : values.front();
+/// `wanted` if it is among the options, else the first of them.
+template <class T>
+T first_or(const std::vector<T>& options, const T& wanted) {
+  const bool there = std::find(options.begin(), options.end(), wanted) != options.end();
+  return there ? wanted : options.front();
 }
 
 }  // namespace
 
-std::vector<Series> series_of(const Report& report) {
-  std::vector<std::string_view> kernels;
-  std::set<std::pair<std::string_view, Micropolygon>> present;
-  for (const RunRecord& run : report.runs) {
-    const Configuration& c = run.configuration;
-    if (std::find(kernels.begin(), kernels.end(), c.kernel) == kernels.end())
-      kernels.emplace_back(c.kernel);
-    present.emplace(c.kernel, c.shape());
-  }
-  std::vector<Series> series;
-  for (const std::string_view kernel : kernels)
-    for (const Micropolygon shape : {Micropolygon::kTriangle, Micropolygon::kQuad})
-      if (present.contains({kernel, shape})) series.push_back({kernel, shape});
-  return series;
-}
-
 std::vector<std::string> stages_of(const Report& report) {
   std::vector<std::string> occurring;
   for (const RunRecord& run : report.runs)
-    for (const StageRecord& stage : run.stages)
-      if (std::find(occurring.begin(), occurring.end(), stage.name) == occurring.end())
-        occurring.push_back(stage.name);
-  const std::span<const std::string_view> coloured = coloured_stages();
+    for (const StageRecord& stage : run.stages) add(occurring, stage.name);
+  const auto& known = known_stages();
   const auto place = [&](const std::string& stage) {
-    return std::find(coloured.begin(), coloured.end(), stage);
+    return std::find(known.begin(), known.end(), stage);
   };
   std::stable_sort(occurring.begin(), occurring.end(),
                    [&](const auto& a, const auto& b) { return place(a) < place(b); });
   return occurring;
 }
 
-std::vector<int> widths_of(const Report& report) {
-  std::set<int> widths;
-  for (const RunRecord& run : report.runs) widths.insert(run.configuration.width);
-  return {widths.begin(), widths.end()};
-}
-
-std::string shown_kernel(std::string_view kernel) {
-  std::string letters(kernel);
-  std::transform(letters.begin(), letters.end(), letters.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return letters;
-}
-
 std::vector<std::string> kernels_of(const Report& report) {
   std::vector<std::string> kernels;
-  for (const Series& series : series_of(report))
-    if (const std::string kernel = shown_kernel(series.kernel);
-        std::find(kernels.begin(), kernels.end(), kernel) == kernels.end())
-      kernels.push_back(kernel);
+  for (const Series& series : series_of(report)) add(kernels, shown_kernel(series.kernel));
   return kernels;
 }
 
@@ -122,7 +142,20 @@ std::string shown_scenes(const ReportView& view) {
   return fmt::format("{}", fmt::join(view.scenes(), ", "));
 }
 
-std::string shown_shape(Micropolygon shape) { return fmt::format("{}s", to_string(shape)); }
+ElementWords element_of(const Report& report) {
+  std::vector<std::string> names;
+  for (const RunRecord& run : report.runs) add(names, run.element.name);
+  if (names.size() != 1) return {"element", "element"};
+  return {names.front(), report.runs.front().element.abbreviation};
+}
+
+std::vector<int> few_widths(const std::vector<int>& widths) {
+  if (!are_many(widths)) return widths;
+  std::vector<int> few;
+  for (const int width : widths)
+    if (std::has_single_bit(static_cast<unsigned>(width))) few.push_back(width);
+  return few;
+}
 
 Json number_or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
@@ -130,7 +163,7 @@ Json number_or_null(const std::optional<double>& value) {
 
 std::vector<DataColumn> series_columns(std::vector<DataColumn> others) {
   std::vector<DataColumn> columns{
-      {"kernel", "Kernel", ""}, {"micropolygon", "Micropolygons", ""}, {"lanes", "W", ""}};
+      {"kernel", "Kernel", ""}, {"facet", kWork, ""}, {"lanes", "W", ""}};
   columns.insert(columns.end(), others.begin(), others.end());
   return columns;
 }
@@ -152,6 +185,7 @@ Json panel_for(Json panel, std::string_view field, const std::string& value) {
 }
 
 Json choice(std::string_view name, std::string_view label, const Json& options, const Json& first) {
+  if (options == Json::array({""})) return {{"name", name}, {"value", ""}};
   return {
       {"name", name},
       {"value", first},
@@ -160,16 +194,12 @@ Json choice(std::string_view name, std::string_view label, const Json& options, 
 
 Json choice_of_lanes(const Report& report) {
   const std::vector<int> widths = widths_of(report);
-  return choice("pick_lanes", "W", widths, first_or(widths, kClaimWidth));
+  return choice("pick_lanes", "W", widths, first_or(widths, Configuration{}.width));
 }
 
-Json choice_of_shape(const Report& report) {
-  std::vector<std::string> shapes;
-  for (const Series& series : series_of(report))
-    if (const std::string shape = shown_shape(series.shape);
-        std::find(shapes.begin(), shapes.end(), shape) == shapes.end())
-      shapes.push_back(shape);
-  return choice("pick_shape", "Micropolygons", shapes, first_or(shapes, std::string("triangles")));
+Json choice_of_facet(const Report& report) {
+  const std::vector<std::string> facets = facets_of(report);
+  return choice("pick_facet", kWork, facets, facets.front());
 }
 
 Json choice_of_kernel(const Report& report) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the charts of the page share: which series, stages and widths a report has, and the pieces
-// of Vega-Lite specifications that show them alike everywhere.
+// What the charts of the page share: which stages and widths a report has, and the pieces of
+// Vega-Lite specifications that show them alike everywhere.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,38 +11,39 @@
 
 #include "analysis/html/data_frame.h"
 #include "analysis/tables/report_view.h"
+#include "analysis/tables/series_rows.h"
 
 namespace lanescope {
 
-/// The kernels of a report on its kinds of micropolygon, kernels in the order of their first runs,
-/// triangles first. Names are views into the report.
-std::vector<Series> series_of(const Report& report);
-
-/// Stages that have a colour: Setup, the thesis's in its order, then others as they occur.
+/// The stages of a report: those of kernels in the order in which all pictures show them, then
+/// others as they occur.
 std::vector<std::string> stages_of(const Report& report);
 
-/// All widths of a report, ascending.
-std::vector<int> widths_of(const Report& report);
-
-/// `LOCKSTEP`, as the thesis writes kernels.
-std::string shown_kernel(std::string_view kernel);
-/// The kernels of a report, shown so.
+/// The kernels of a report, as shown_kernel() has them.
 std::vector<std::string> kernels_of(const Report& report);
 /// The scenes that figures are of: `ballroll, talking`.
 std::string shown_scenes(const ReportView& view);
-/// `triangles`.
-std::string shown_shape(Micropolygon shape);
+/// What the report's instructions are divided by, as Element has it.
+struct ElementWords {
+  std::string name, abbreviation;
+};
+ElementWords element_of(const Report& report);
+
+/// Widths for charts that have room for a few: all, or the powers of two if there are too many.
+std::vector<int> few_widths(const std::vector<int>& widths);
 
 /// A number, or null.
 nlohmann::ordered_json number_or_null(const std::optional<double>& value);
 
-/// The columns that name a run of a mean over scenes: `kernel`, `micropolygon`, `lanes` (W).
+/// The columns that name a run of a mean over scenes: `kernel`, `facet`, `lanes` (W).
 std::vector<DataColumn> series_columns(std::vector<DataColumn> others);
 
 /// A Vega-Lite specification from its text, in which `"@stage"` stands for the colour of a stage,
-/// `"@lanes"` for an axis of W on a logarithmic scale, and `"@stages"`, `"@kernels"` and
-/// `"@scenes"` for those of the report in order (facets are sorted by name otherwise). Requires
-/// that it is JSON.
+/// `"@lanes"` for an axis of W (on a logarithmic scale; on a linear one if there are many), `"@W"`
+/// for one of bars, `"@point"` and `"@ink_point"` for the points of a line over W, and `"@stages"`,
+/// `"@kernels"`,
+/// `"@facets"` and `"@scenes"` for those of the report in order (facets of charts are sorted by
+/// name otherwise). Requires that it is JSON.
 nlohmann::ordered_json spec_from(std::string_view text, const Report& report);
 
 /// `panel` for the rows whose `field` is `value`, which becomes its title. For panels with scales
@@ -50,15 +51,16 @@ nlohmann::ordered_json spec_from(std::string_view text, const Report& report);
 nlohmann::ordered_json panel_for(nlohmann::ordered_json panel, std::string_view field,
                                  const std::string& value);
 
-/// A selection beside the chart: the parameter `name`, and the value it begins with.
+/// A selection beside the chart: the parameter `name`, and the value it begins with. Nothing to
+/// select is not shown.
 nlohmann::ordered_json choice(std::string_view name, std::string_view label,
                               const nlohmann::ordered_json& options,
                               const nlohmann::ordered_json& first);
-/// Of one W of the report; begins with 16, which the thesis measures at, or the narrowest.
+/// Of one W of the report, `pick_lanes`; begins with 16, the usual one, or the narrowest.
 nlohmann::ordered_json choice_of_lanes(const Report& report);
-/// Of the kind of micropolygon.
-nlohmann::ordered_json choice_of_shape(const Report& report);
-/// Of the kernel.
+/// Of the facet, `pick_facet`.
+nlohmann::ordered_json choice_of_facet(const Report& report);
+/// Of the kernel, `pick_kernel`.
 nlohmann::ordered_json choice_of_kernel(const Report& report);
 
 }  // namespace lanescope

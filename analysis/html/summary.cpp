@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
+#include "analysis/base/json_text.h"
 #include "analysis/configuration/configuration_json.h"
+#include "analysis/configuration/special_options.h"
 #include "analysis/html/markup.h"
+#include "analysis/tables/series_rows.h"
 
 namespace lanescope {
 namespace {
@@ -45,21 +47,44 @@ std::string reports_table(const std::vector<NamedReport>& sources) {
                      {"File", "Command", "Version", "Commit", "Runs"}, rows);
 }
 
+/// Names of the counters of all sources, in the order in which they first occur.
+std::vector<std::string> counters_of(const std::vector<NamedReport>& sources) {
+  std::vector<std::string> names;
+  for (const NamedReport& source : sources)
+    for (const RunRecord& run : source.report.runs)
+      for (const CounterRecord& counter : run.source.counters)
+        if (std::find(names.begin(), names.end(), counter.name) == names.end())
+          names.push_back(counter.name);
+  return names;
+}
+
+std::string counter_text(const std::vector<CounterRecord>& counters, const std::string& name) {
+  const auto found = std::find_if(counters.begin(), counters.end(),
+                                  [&](const CounterRecord& c) { return c.name == name; });
+  return found == counters.end() ? "" : fmt::format("{}", found->value);
+}
+
+/// What it was made into: the facet says more than the kind of work.
+std::string work_of(const RunRecord& run) {
+  const std::string facet = shown_facet({run.configuration.kernel, facet_of(run.configuration)});
+  return facet.empty() ? run.workload : facet;
+}
+
 std::string scenes_table(const std::vector<NamedReport>& sources) {
+  const std::vector<std::string> counters = counters_of(sources);
+  std::vector<std::string> headers{"Scene", "Work", "Hash", "Pieces"};
+  headers.insert(headers.end(), counters.begin(), counters.end());
   std::vector<std::vector<std::string>> rows;
   for (const NamedReport& source : sources)
     for (const RunRecord& run : source.report.runs) {
-      const Configuration& c = run.configuration;
-      std::vector<std::string> row{c.scene,
-                                   std::string(to_string(c.shape())),
-                                   fmt::format("{}", c.frame),
-                                   fmt::format("{}", run.tessellation.micropolygons),
-                                   fmt::format("{:#018x}", run.scene_hash),
-                                   run.thesis_like ? "yes" : "no"};
+      std::vector<std::string> row{scene_title(run.configuration), work_of(run),
+                                   hash_text(run.source.hash),
+                                   fmt::format("{}", run.source.pieces)};
+      for (const std::string& name : counters)
+        row.push_back(counter_text(run.source.counters, name));
       if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(std::move(row));
     }
-  return words_table(
-      "Scenes", {"Scene", "Kind", "Frame", "Micropolygons", "Hash", "Like the thesis's"}, rows);
+  return words_table("Scenes, and the work that was made of them", headers, rows);
 }
 
 std::string shown_value(const Json& value) {

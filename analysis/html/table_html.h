@@ -8,7 +8,7 @@
 
 namespace lanescope {
 
-/// A <table> with its title as caption, the thesis's numbers and the differences beside ours where
+/// A <table> with its title as caption, a paper's numbers and the differences beside ours where
 /// there are any, and the notes below it.
 std::string table_html(const TableData& data);
 

@@ -4,54 +4,12 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "simulator/base/error.h"
 
 namespace lanescope {
-namespace {
-
-/// Displayed colour of a sample.
-Colour sample_colour(std::uint64_t sample, Colour background) {
-  if (sample == Frame::kEmpty) return background;
-  return {static_cast<std::uint8_t>(sample), static_cast<std::uint8_t>(sample >> 8),
-          static_cast<std::uint8_t>(sample >> 16)};
-}
-
-}  // namespace
-
-Colour to_colour(float red, float green, float blue) {
-  const auto channel = [](float value) {
-    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
-  };
-  return {channel(red), channel(green), channel(blue)};
-}
-
-Image resolve(const Frame& frame, Colour background) {
-  const SampleGrid& grid = frame.grid();
-  const int axis = grid.samples_per_axis();
-  Image image{grid.width_px(), grid.height_px(), {}};
-  const auto width = static_cast<std::size_t>(image.width_px);
-  const auto height = static_cast<std::size_t>(image.height_px);
-  std::vector<std::array<std::uint32_t, 3>> light(width);  // Of one row of pixels.
-  std::size_t sample = 0;
-  for (std::size_t y = 0; y < height; ++y) {
-    std::fill(light.begin(), light.end(), std::array<std::uint32_t, 3>{});
-    for (int line = 0; line < axis; ++line)
-      for (std::size_t cell = 0; cell < width * static_cast<std::size_t>(axis); ++cell) {
-        const Colour colour = sample_colour(frame.samples()[sample++], background);
-        auto& pixel = light[cell / static_cast<std::size_t>(axis)];
-        for (std::size_t c = 0; c < 3; ++c) pixel[c] += std::uint32_t{colour[c]} * colour[c];
-      }
-    for (const auto& pixel : light) {
-      Colour& mean = image.pixels.emplace_back();
-      for (std::size_t c = 0; c < 3; ++c)
-        mean[c] = static_cast<std::uint8_t>(
-            std::lround(std::sqrt(static_cast<double>(pixel[c]) / (axis * axis))));
-    }
-  }
-  return image;
-}
 
 std::string png(const Image& image) {
   png_image header{};
@@ -106,11 +64,6 @@ Image narrowed(const Image& image, int width_px) {
         mean[c] = static_cast<std::uint8_t>(std::lround(std::sqrt(light[c] / count)));
     }
   return small;
-}
-
-std::string picture_name(const Configuration& configuration) {
-  if (configuration.is_mesh()) return "frame-mesh.png";
-  return "frame-" + configuration.scene + ".png";
 }
 
 }  // namespace lanescope

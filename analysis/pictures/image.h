@@ -1,33 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Pictures of frames.
+// Pictures as pixels, and as PNG files.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "analysis/configuration/configuration.h"
-#include "kernels/micropolygons/frame.h"
+#include "kernels/output.h"
 
 namespace lanescope {
 
-/// Red, green and blue as displayed, 0 to 255.
-using Colour = std::array<std::uint8_t, 3>;
-
-/// The colour of channels in [0, 1], as displayed; clamped.
-Colour to_colour(float red, float green, float blue);
-
+/// A picture as colours.
 struct Image {
+  Image() = default;
+  Image(int width, int height, std::vector<Colour> colours)
+      : width_px(width), height_px(height), pixels(std::move(colours)) {}
+  /// The colours of a raster that has some.
+  Image(const Raster& raster) : Image(raster.width_px, raster.height_px, raster.pixels) {}
+
   int width_px = 0;
   int height_px = 0;
   std::vector<Colour> pixels;  ///< [height_px * width_px], by rows from the top.
 };
-
-/// Averages the samples of each pixel (a box filter). Colours are averaged as light, which is the
-/// square of the displayed value; samples that nothing covers are `background`.
-Image resolve(const Frame& frame, Colour background);
 
 /// The bytes of a PNG file. Requires at least one pixel.
 std::string png(const Image& image);
@@ -36,11 +31,8 @@ std::string png(const Image& image);
 /// if the bytes are none.
 Image read_png(std::string_view bytes, const std::string& where);
 
-/// The same picture at most so wide, by a box filter that averages light as resolve() does.
+/// The same picture at most so wide, by a box filter. Colours are averaged as light,
+/// which is the square of the displayed value.
 Image narrowed(const Image& image, int width_px);
-
-/// The file, within a directory of pictures, that shows the scene of a configuration; the path of a
-/// mesh is not a name.
-std::string picture_name(const Configuration& configuration);
 
 }  // namespace lanescope

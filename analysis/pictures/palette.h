@@ -4,11 +4,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "analysis/pictures/image.h"
+#include "kernels/output.h"
 
 namespace lanescope {
 
@@ -20,22 +20,21 @@ inline constexpr Colour kLaneOff{38, 38, 42};
 /// A pixel that nothing touches.
 inline constexpr Colour kNothing{24, 24, 27};
 
-/// Stages that have colours of their own, in the order in which they are shown.
-std::span<const std::string_view> coloured_stages();
+/// The stages of all kernels of the program, in the order in which they are shown: a stage that
+/// some kernels of a kind of work lack stands where the others have it.
+const std::vector<std::string_view>& known_stages();
 
 /// `#rrggbb`.
 std::string colour_text(Colour colour);
 
-/// The colour of a stage by its name. Names that no kernel of ours uses share the palette's other
-/// colours, by `place`, the stage's place in its kernel.
-Colour stage_colour(std::string_view stage, std::size_t place);
+/// The colour of a stage by its name. The first stages that kernels of a kind of work declare, in
+/// the order of the registry, have colours of their own, so that a new kernel changes none; later
+/// ones and names that no kernel has share the rest of the palette.
+Colour stage_colour(std::string_view stage);
 
 /// The colour of a value from 0 (dark) to 1 (light), clamped: `viridis` of Smith and van der Walt
 /// (2015), which is perceptually uniform, interpolated between ten of its colours.
 Colour heat_colour(double value);
-
-/// A colour that tells a micropolygon from its neighbours; none is as dark as kNothing.
-Colour identity_colour(std::uint64_t micropolygon_id);
 
 /// `from` and `to` mixed as displayed; share 0 is `from`, 1 is `to`.
 Colour mixed(Colour from, Colour to, double share);

@@ -4,23 +4,14 @@
 namespace lanescope {
 namespace {
 
-constexpr std::string_view kSetup = "Setup";
-
 Ratio busy_lanes(const InstructionRecord& counts, int width) {
   return {counts.active, counts.issued * static_cast<std::uint64_t>(width)};
 }
 
-void add(InstructionRecord& sum, const InstructionRecord& counts) {
-  sum.issued += counts.issued;
-  sum.active += counts.active;
-  sum.overhead_issued += counts.overhead_issued;
-  sum.overhead_active += counts.overhead_active;
-}
-
-std::optional<double> per_micropolygon(const RunRecord& run, std::uint64_t issued) {
-  const auto micropolygons = run.counter("micropolygons_rasterized");
-  if (!micropolygons) return std::nullopt;
-  return Ratio{issued, *micropolygons}.value();
+std::optional<double> per_element(const RunRecord& run, std::uint64_t issued) {
+  const auto elements = run.elements();
+  if (!elements) return std::nullopt;
+  return Ratio{issued, *elements}.value();
 }
 
 }  // namespace
@@ -35,7 +26,7 @@ Ratio utilization(const StageRecord& stage, int width) { return busy_lanes(stage
 InstructionRecord total(const RunRecord& run, Stages stages) {
   InstructionRecord sum;
   for (const StageRecord& stage : run.stages)
-    if (stages == Stages::kAll || stage.name != kSetup) add(sum, stage.total());
+    if (stages.has(stage.name)) sum += stage.total();
   return sum;
 }
 
@@ -46,18 +37,18 @@ Ratio utilization(const RunRecord& run, Stages stages) {
 Ratio utilization(const RunRecord& run, std::initializer_list<std::string_view> stages) {
   InstructionRecord sum;
   for (const std::string_view name : stages)
-    if (const StageRecord* stage = run.stage(name)) add(sum, stage->total());
+    if (const StageRecord* stage = run.stage(name)) sum += stage->total();
   return busy_lanes(sum, run.configuration.width);
 }
 
-std::optional<double> instructions_per_micropolygon(const RunRecord& run, Stages stages) {
+std::optional<double> instructions_per_element(const RunRecord& run, Stages stages) {
   if (run.stages.empty()) return std::nullopt;
-  return per_micropolygon(run, total(run, stages).issued);
+  return per_element(run, total(run, stages).issued);
 }
 
-std::optional<double> instructions_per_micropolygon(const RunRecord& run, std::string_view stage) {
+std::optional<double> instructions_per_element(const RunRecord& run, std::string_view stage) {
   const StageRecord* found = run.stage(stage);
-  return found ? per_micropolygon(run, found->total().issued) : std::nullopt;
+  return found ? per_element(run, found->total().issued) : std::nullopt;
 }
 
 std::optional<double> counter_ratio(const RunRecord& run, std::string_view numerator,

@@ -5,11 +5,12 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "analysis/configuration/configuration_json.h"
 #include "analysis/report/report_json.h"
+#include "analysis/report/run_order.h"
 #include "simulator/base/error.h"
-#include "workloads/micropolygons/scene.h"
 
 namespace lanescope {
 namespace {
@@ -20,24 +21,6 @@ struct Named {
   Value value;
   std::string name;
 };
-
-/// The place of a name in a registry; unknown names come after all others.
-template <class Descriptor>
-std::size_t place_of(const std::string& name, const std::vector<const Descriptor*>& descriptors) {
-  const auto found = std::find_if(descriptors.begin(), descriptors.end(),
-                                  [&](const Descriptor* d) { return d->name == name; });
-  return static_cast<std::size_t>(found - descriptors.begin());
-}
-
-/// Orders runs as merge_reports promises.
-auto order_of(const Configuration& c) {
-  const TessellationOptions& t = c.tessellation;
-  return std::tuple(place_of(c.scene, scenes()), c.scene, c.mesh_patches, c.frame, c.turn_degrees,
-                    t.width_px, t.height_px, c.samples_per_pixel, c.jitter, c.seed, t.dice_area_px,
-                    t.grid_limit, t.packet_capacity, t.grid_overlap_px, c.observe_every, c.mode,
-                    !c.options.cull_backfaces, c.options.edges, c.options.stream_load_threshold,
-                    c.options.shape, place_of(c.kernel, kernels()), c.kernel, c.width);
-}
 
 void require_same_program(const NamedReport& first, const NamedReport& other) {
   const auto program = [](const Report& report) {
@@ -94,14 +77,14 @@ class Runs {
     }
   }
   void write(Report& report) const {
-    std::vector<Timed> timed;
-    for (const auto& [parameters, run] : runs_) timed.push_back(run.value);
-    std::stable_sort(timed.begin(), timed.end(), [](const Timed& a, const Timed& b) {
-      return order_of(a.run->configuration) < order_of(b.run->configuration);
-    });
-    for (const Timed& t : timed) {
-      report.runs.push_back(*t.run);
-      report.timing.kernel_ms.push_back(t.kernel_ms);
+    std::vector<std::pair<std::vector<Rank>, Timed>> placed;
+    for (const auto& [parameters, run] : runs_)
+      placed.emplace_back(place_of(*run.value.run), run.value);
+    std::stable_sort(placed.begin(), placed.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [place, timed] : placed) {
+      report.runs.push_back(*timed.run);
+      report.timing.kernel_ms.push_back(timed.kernel_ms);
     }
   }
 
@@ -124,7 +107,7 @@ std::string distinct(const std::vector<NamedReport>& reports, std::string Timing
 
 void add_times(Timing& sum, const Timing& timing) {
   sum.wall_ms += timing.wall_ms;
-  sum.dicing_ms += timing.dicing_ms;
+  sum.source_ms += timing.source_ms;
   sum.observation_ms += timing.observation_ms;
   sum.threads = std::max(sum.threads, timing.threads);
   sum.peak_memory_bytes = std::max(sum.peak_memory_bytes, timing.peak_memory_bytes);
@@ -143,7 +126,7 @@ Report single_run(const Report& report, std::size_t run) {
   const auto share = static_cast<double>(report.runs.size());
   single.timing.kernel_ms = {report.timing.kernel_ms[run]};
   single.timing.wall_ms /= share;
-  single.timing.dicing_ms /= share;
+  single.timing.source_ms /= share;
   single.timing.observation_ms /= share;
   return single;
 }

@@ -5,14 +5,35 @@
 
 namespace lanescope {
 
+InstructionRecord& InstructionRecord::operator+=(const InstructionRecord& other) {
+  issued += other.issued;
+  active += other.active;
+  overhead_issued += other.overhead_issued;
+  overhead_active += other.overhead_active;
+  return *this;
+}
+
+MemoryRecord& MemoryRecord::operator+=(const MemoryRecord& other) {
+  issued += other.issued;
+  active += other.active;
+  lines += other.lines;
+  if (lines_histogram.size() < other.lines_histogram.size())
+    lines_histogram.resize(other.lines_histogram.size());
+  for (std::size_t k = 0; k < other.lines_histogram.size(); ++k)
+    lines_histogram[k] += other.lines_histogram[k];
+  conflicts += other.conflicts;
+  return *this;
+}
+
 InstructionRecord StageRecord::total() const {
   InstructionRecord sum;
-  for (const InstructionRecord& counts : instructions) {
-    sum.issued += counts.issued;
-    sum.active += counts.active;
-    sum.overhead_issued += counts.overhead_issued;
-    sum.overhead_active += counts.overhead_active;
-  }
+  for (const InstructionRecord& counts : instructions) sum += counts;
+  return sum;
+}
+
+MemoryRecord StageRecord::memory_total() const {
+  MemoryRecord sum;
+  for (const MemoryRecord& counts : memory) sum += counts;
   return sum;
 }
 
@@ -33,6 +54,12 @@ const SeriesRecord* RunRecord::find_series(std::string_view name) const {
   const auto found =
       std::find_if(series.begin(), series.end(), [&](const auto& s) { return s.name == name; });
   return found == series.end() ? nullptr : &*found;
+}
+
+void add_parameter_names(const Report& report, std::vector<std::string>& names) {
+  for (const RunRecord& run : report.runs)
+    for (const auto& [name, value] : all_values(run.configuration).all())
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
 }  // namespace lanescope

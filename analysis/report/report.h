@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "analysis/configuration/configuration.h"
-#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
 
-/// Version of the JSON form; a reader refuses a newer one.
-inline constexpr int kReportVersion = 2;
+/// Version of the JSON form; a reader refuses all others.
+inline constexpr int kReportVersion = 3;
 inline constexpr std::string_view kReportSchema = "lanescope-report";
 
 /// Counts of one instruction within a stage, as InstructionCounts has them.
@@ -26,6 +25,9 @@ struct InstructionRecord {
   std::uint64_t active = 0;
   std::uint64_t overhead_issued = 0;
   std::uint64_t overhead_active = 0;
+
+  /// Adds counts of another instruction; the mnemonic stays.
+  InstructionRecord& operator+=(const InstructionRecord& other);
 };
 
 /// What one memory instruction touched within a stage, over the executions that were observed.
@@ -34,9 +36,13 @@ struct MemoryRecord {
   std::uint64_t issued = 0;  ///< Executions observed.
   std::uint64_t active = 0;  ///< Lanes on in them.
   std::uint64_t lines = 0;   ///< Distinct lines of 64 bytes, summed over executions.
-  std::vector<std::uint64_t> lines_histogram;  ///< [W + 1 or more] executions that touched k lines.
+  /// [W + 1 or more] executions that touched k lines; more if an execution touched more.
+  std::vector<std::uint64_t> lines_histogram;
   /// Lanes that stored to an element that an earlier lane of the same execution stored to.
   std::uint64_t conflicts = 0;
+
+  /// Adds counts of other executions; the mnemonic stays.
+  MemoryRecord& operator+=(const MemoryRecord& other);
 };
 
 struct StageRecord {
@@ -48,9 +54,11 @@ struct StageRecord {
 
   /// Sum over the instructions; without a mnemonic.
   InstructionRecord total() const;
+  /// Sum over the memory instructions; without a mnemonic.
+  MemoryRecord memory_total() const;
 };
 
-/// A figure that the kernel counted beside instructions and lanes.
+/// A figure that was counted beside instructions and lanes.
 struct CounterRecord {
   std::string name;
   std::string meaning;
@@ -75,9 +83,10 @@ struct SeriesRecord {
   std::vector<std::uint64_t> values;
 };
 
-/// What was issued at one line of a kernel's source within one stage, over the packets observed.
+/// What was issued at one line of a kernel's source within one stage, over the pieces of work
+/// observed.
 struct SourceLineRecord {
-  std::string file;  ///< From the root of the sources: `kernels/micropolygons/stages.h`.
+  std::string file;  ///< From the root of the sources: `kernels/<kind>/<name>.h`.
   std::uint32_t line = 0;
   std::string stage;
   std::uint64_t issued = 0;
@@ -85,32 +94,48 @@ struct SourceLineRecord {
   std::uint64_t overhead = 0;  ///< Those of `issued` that the kernel marks as overhead.
 };
 
-/// Which packets memory and source lines were observed in (Configuration::observe_every).
-struct Observation {
-  std::uint64_t packets = 0;
-  std::uint64_t packets_observed = 0;
+/// What the pieces of work came from.
+struct SourceRecord {
+  std::uint64_t hash = 0;  ///< Of all pieces; equal for equal work.
+  std::uint64_t pieces = 0;
+  /// Those that memory and source lines were observed in (Configuration::observe_every).
+  std::uint64_t pieces_observed = 0;
+  std::vector<CounterRecord> counters;
+};
+
+/// What the kernel wrote.
+struct OutputRecord {
+  std::uint64_t hash = 0;  ///< Equal for equal content.
+  std::vector<CounterRecord> counters;
+};
+
+/// What instructions are divided by, as Element has it.
+struct ElementRecord {
+  std::string counter;  ///< Name of one of the run's counters.
+  std::string name;
+  std::string abbreviation;
 };
 
 /// One run of one kernel at one width on one scene.
 struct RunRecord {
   Configuration configuration;
-  bool thesis_like = false;      ///< The scene is one of those that the thesis's tables average.
-  std::uint64_t scene_hash = 0;  ///< Of all packets; equal for equal geometry.
-  TessellationCounts tessellation;
+  std::string workload;  ///< The kind of work.
+  SourceRecord source;
+  ElementRecord element;
   std::vector<StageRecord> stages;  ///< Empty if the mode counts nothing.
   std::vector<CounterRecord> counters;
   std::vector<MetricRecord> metrics;
   std::vector<SeriesRecord> series;
-  Observation observation;
   std::vector<SourceLineRecord> source_lines;  ///< By file, line and stage.
-  std::uint64_t hits_hash = 0;
-  std::uint64_t frame_hash = 0;
-  std::uint64_t samples_covered = 0;
+  std::uint64_t results_hash = 0;  ///< Equal for equal sets of results, whatever their order.
+  OutputRecord output;
 
   /// The stage of that name, or null.
   const StageRecord* stage(std::string_view name) const;
   /// The value of that counter, if the kernel counts it.
   std::optional<std::uint64_t> counter(std::string_view name) const;
+  /// The counter `element.counter`.
+  std::optional<std::uint64_t> elements() const { return counter(element.counter); }
   /// The list of that name, or null.
   const SeriesRecord* find_series(std::string_view name) const;
 };
@@ -130,7 +155,7 @@ struct Timing {
   std::string host;
   std::string compiler;
   std::vector<double> kernel_ms;        ///< [runs] time within the kernel, summed over threads.
-  double dicing_ms = 0.0;               ///< Splitting and dicing, summed over threads.
+  double source_ms = 0.0;               ///< Making the work, summed over threads.
   double observation_ms = 0.0;          ///< Observing memory and source lines, summed over threads.
   std::uint64_t peak_memory_bytes = 0;  ///< Largest resident set of the process.
 };
@@ -144,6 +169,9 @@ struct Report {
   std::vector<RunRecord> runs;
   Timing timing;
 };
+
+/// Adds the names of the parameters that runs of a report have and `names` lacks, in their order.
+void add_parameter_names(const Report& report, std::vector<std::string>& names);
 
 /// A report and what messages call it: its file.
 struct NamedReport {

@@ -11,7 +11,7 @@
 
 namespace lanescope {
 
-/// Generated from analysis/data/report.schema.json.
+/// Generated from analysis/data/report.schema.json; without the parameters.
 extern const char* const kReportJsonSchema;
 
 namespace {
@@ -32,10 +32,27 @@ Json list_json(const std::vector<Record>& records, Write write) {
   return list;
 }
 
-Json tessellation_json(const TessellationCounts& counts) {
-  return {{"patches_culled", counts.patches_culled},   {"patches_split", counts.patches_split},
-          {"patches_dropped", counts.patches_dropped}, {"grids", counts.grids},
-          {"micropolygons", counts.micropolygons},     {"dropped", counts.dropped}};
+Json counter_json(const CounterRecord& counter) {
+  return {{"name", counter.name},
+          {"meaning", counter.meaning},
+          {"unit", counter.unit},
+          {"value", counter.value}};
+}
+
+Json source_json(const SourceRecord& source) {
+  return {{"hash", hash_text(source.hash)},
+          {"pieces", source.pieces},
+          {"pieces_observed", source.pieces_observed},
+          {"counters", list_json(source.counters, counter_json)}};
+}
+
+Json element_json(const ElementRecord& element) {
+  return {
+      {"counter", element.counter}, {"name", element.name}, {"abbreviation", element.abbreviation}};
+}
+
+Json output_json(const OutputRecord& output) {
+  return {{"hash", hash_text(output.hash)}, {"counters", list_json(output.counters, counter_json)}};
 }
 
 Json instruction_json(const InstructionRecord& counts) {
@@ -77,13 +94,6 @@ Json source_line_json(const SourceLineRecord& line) {
           {"issued", line.issued}, {"active", line.active}, {"overhead", line.overhead}};
 }
 
-Json counter_json(const CounterRecord& counter) {
-  return {{"name", counter.name},
-          {"meaning", counter.meaning},
-          {"unit", counter.unit},
-          {"value", counter.value}};
-}
-
 Json metric_json(const RunRecord& run, const MetricRecord& metric) {
   const Ratio ratio{run.counter(metric.numerator).value_or(0),
                     run.counter(metric.denominator).value_or(0)};
@@ -107,7 +117,7 @@ Json timing_json(const Timing& timing) {
           {"host", timing.host},
           {"compiler", timing.compiler},
           {"kernel_ms", list_json(timing.kernel_ms, json_ms)},
-          {"dicing_ms", json_ms(timing.dicing_ms)},
+          {"source_ms", json_ms(timing.source_ms)},
           {"observation_ms", json_ms(timing.observation_ms)},
           {"peak_memory_bytes", timing.peak_memory_bytes}};
 }
@@ -117,20 +127,16 @@ Json timing_json(const Timing& timing) {
 Json to_json(const RunRecord& run) {
   const Configuration& c = run.configuration;
   return {{"parameters", configuration_json(c)},
-          {"scene_hash", hash_text(run.scene_hash)},
-          {"thesis_like", run.thesis_like},
-          {"tessellation", tessellation_json(run.tessellation)},
+          {"workload", run.workload},
+          {"source", source_json(run.source)},
+          {"element", element_json(run.element)},
           {"stages", list_json(run.stages, [&](const auto& s) { return stage_json(s, c.width); })},
           {"counters", list_json(run.counters, counter_json)},
           {"metrics", list_json(run.metrics, [&](const auto& m) { return metric_json(run, m); })},
           {"series", list_json(run.series, series_json)},
-          {"observation",
-           {{"packets", run.observation.packets},
-            {"packets_observed", run.observation.packets_observed}}},
           {"source_lines", list_json(run.source_lines, source_line_json)},
-          {"hits_hash", hash_text(run.hits_hash)},
-          {"frame_hash", hash_text(run.frame_hash)},
-          {"samples_covered", run.samples_covered}};
+          {"results_hash", hash_text(run.results_hash)},
+          {"output", output_json(run.output)}};
 }
 
 Json to_json(const Report& report) {
@@ -148,6 +154,10 @@ Json to_json(const Report& report) {
 
 std::string report_text(const Report& report) { return json_text(to_json(report)); }
 
-std::string_view report_json_schema() { return kReportJsonSchema; }
+std::string report_json_schema() {
+  Json schema = Json::parse(kReportJsonSchema);
+  schema["$defs"]["parameters"] = configuration_schema();
+  return json_text(schema);
+}
 
 }  // namespace lanescope

@@ -24,14 +24,16 @@ nlohmann::ordered_json to_json(const RunRecord& run);
 std::string report_text(const Report& report);
 
 /// Reads a report. `where` names it in messages (the file). Throws InputError, beginning with
-/// `where:/json/pointer`, for text that is not JSON, a newer version, missing or unknown members,
-/// values of a wrong type and derived values that do not follow from their counts.
+/// `where:/json/pointer`, for all that the schema refuses, and for what it cannot see: names that
+/// are there twice or refer to nothing, lists of a wrong length, counts that do not fit together,
+/// and derived values that do not follow from their counts.
 Report parse_report(std::string_view text, const std::string& where);
 
 /// Reads a report from a file. Throws InputError as parse_report does, or if it cannot be read.
 Report read_report(const std::string& path);
 
-/// The JSON Schema (2020-12) of the form, as a document.
-std::string_view report_json_schema();
+/// The JSON Schema (2020-12) of the form, as a document, with the parameters of every kernel of the
+/// program.
+std::string report_json_schema();
 
 }  // namespace lanescope

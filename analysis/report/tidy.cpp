@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "analysis/base/csv_text.h"
 #include "analysis/configuration/configuration_json.h"
@@ -20,10 +21,11 @@ std::string count_text(std::uint64_t count) { return fmt::format("{}", count); }
 std::string switch_text(bool on) { return on ? "TRUE" : "FALSE"; }
 std::string tidy_hash(std::uint64_t hash) { return fmt::format("x{:016x}", hash); }
 
-std::string parameter_text(const nlohmann::ordered_json& value) {
-  if (value.is_null()) return "";
-  if (value.is_boolean()) return switch_text(value.get<bool>());
-  return value.is_string() ? value.get<std::string>() : value.dump();
+std::string parameter_text(const Value& value) {
+  if (std::holds_alternative<std::monostate>(value)) return "";
+  if (const bool* on = std::get_if<bool>(&value)) return switch_text(*on);
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  return value_json(value).dump();
 }
 
 /// One row while it is made: fields by the names of their columns.
@@ -40,10 +42,18 @@ class RowWriter {
     auto& row = table_.rows.back();
     row.resize(std::max(row.size(), place + 1));
     row[place] = std::move(text);
+    names_.insert(column);
+  }
+
+  /// Sets a figure of a kind (source, output, ...) of which the run names the figures itself: the
+  /// kind is in the name of the column only if the row has one of that name.
+  void set_figure(const std::string& kind, const std::string& name, std::string text) {
+    set(names_.contains(name) ? kind + "_" + name : name, std::move(text));
   }
 
  private:
   TidyTable& table_;
+  std::set<std::string> names_;  ///< Of the columns that are set.
 };
 
 /// A run and where it stands.
@@ -54,28 +64,36 @@ struct Place {
   int width() const { return run().configuration.width; }
 };
 
-void set_parameters(RowWriter& row, const Place& place) {
+void set_run(RowWriter& row, const Place& place) {
   row.set("report", place.source.name);
   row.set("run", count_text(std::uint64_t{place.index}));
-  const auto parameters = configuration_json(place.run().configuration);
-  for (const auto& [name, value] : parameters.items()) row.set(name, parameter_text(value));
+  for (const auto& [name, value] : all_values(place.run().configuration).all())
+    row.set(name, parameter_text(value));
+  row.set("workload", place.run().workload);
+  row.set("element", place.run().element.name);
 }
 
 void set_counts(RowWriter& row, const InstructionRecord& counts, const Place& place) {
   const Ratio lanes{counts.active, counts.issued * static_cast<std::uint64_t>(place.width())};
-  const auto micropolygons = place.run().counter("micropolygons_rasterized");
+  const auto elements = place.run().elements();
   row.set("issued", count_text(counts.issued));
   row.set("active", count_text(counts.active));
   row.set("overhead_issued", count_text(counts.overhead_issued));
   row.set("overhead_active", count_text(counts.overhead_active));
   row.set("utilization", number_text(lanes.value()));
-  row.set("issued_per_micropolygon",
-          number_text(micropolygons ? Ratio{counts.issued, *micropolygons}.value() : std::nullopt));
+  row.set("issued_per_element",
+          number_text(elements ? Ratio{counts.issued, *elements}.value() : std::nullopt));
 }
 
-void set_observation(RowWriter& row, const RunRecord& run) {
-  row.set("packets", count_text(run.observation.packets));
-  row.set("packets_observed", count_text(run.observation.packets_observed));
+void set_pieces(RowWriter& row, const SourceRecord& source) {
+  row.set("pieces", count_text(source.pieces));
+  row.set("pieces_observed", count_text(source.pieces_observed));
+}
+
+void set_counters(RowWriter& row, const std::string& kind,
+                  const std::vector<CounterRecord>& counters) {
+  for (const CounterRecord& counter : counters)
+    row.set_figure(kind, counter.name, count_text(counter.value));
 }
 
 void add_instruction_rows(TidyTable& table, const Place& place) {
@@ -85,7 +103,7 @@ void add_instruction_rows(TidyTable& table, const Place& place) {
       const auto entry = std::find_if(entries.begin(), entries.end(),
                                       [&](const auto& e) { return e.mnemonic == counts.mnemonic; });
       RowWriter row(table);
-      set_parameters(row, place);
+      set_run(row, place);
       row.set("stage", stage.name);
       row.set("mnemonic", counts.mnemonic);
       row.set("class", entry == entries.end() ? "" : entry->instruction_class);
@@ -94,27 +112,18 @@ void add_instruction_rows(TidyTable& table, const Place& place) {
     }
 }
 
-MemoryRecord memory_total(const StageRecord& stage) {
-  MemoryRecord sum;
-  for (const MemoryRecord& memory : stage.memory) {
-    sum.issued += memory.issued;
-    sum.active += memory.active;
-    sum.lines += memory.lines;
-    sum.conflicts += memory.conflicts;
-  }
-  return sum;
-}
-
 void add_stage_rows(TidyTable& table, const Place& place) {
-  const bool observed = place.run().observation.packets_observed > 0;
+  const SourceRecord& source = place.run().source;
+  const auto observation = [&](std::uint64_t sum) {
+    return source.pieces_observed > 0 ? count_text(sum) : "";
+  };
   for (const StageRecord& stage : place.run().stages) {
-    const MemoryRecord memory = memory_total(stage);
-    const auto observation = [&](std::uint64_t sum) { return observed ? count_text(sum) : ""; };
+    const MemoryRecord memory = stage.memory_total();
     RowWriter row(table);
-    set_parameters(row, place);
+    set_run(row, place);
     row.set("stage", stage.name);
     set_counts(row, stage.total(), place);
-    set_observation(row, place.run());
+    set_pieces(row, source);
     row.set("memory_issued", observation(memory.issued));
     row.set("memory_active", observation(memory.active));
     row.set("memory_lines", observation(memory.lines));
@@ -125,19 +134,26 @@ void add_stage_rows(TidyTable& table, const Place& place) {
 void add_run_row(TidyTable& table, const Place& place) {
   const RunRecord& run = place.run();
   RowWriter row(table);
-  set_parameters(row, place);
-  row.set("thesis_like", switch_text(run.thesis_like));
-  row.set("scene_hash", tidy_hash(run.scene_hash));
-  row.set("hits_hash", tidy_hash(run.hits_hash));
-  row.set("frame_hash", tidy_hash(run.frame_hash));
-  row.set("samples_covered", count_text(run.samples_covered));
-  set_observation(row, run);
+  set_run(row, place);
+  row.set("source_hash", tidy_hash(run.source.hash));
+  row.set("results_hash", tidy_hash(run.results_hash));
+  row.set("output_hash", tidy_hash(run.output.hash));
+  set_pieces(row, run.source);
   row.set("kernel_ms", number_text(place.source.report.timing.kernel_ms[place.index]));
-  if (!run.stages.empty()) set_counts(row, total(run, Stages::kAll), place);
-  for (const CounterRecord& counter : run.counters)
-    row.set(counter.name, count_text(counter.value));
+  if (!run.stages.empty()) set_counts(row, total(run), place);
+  set_counters(row, "source", run.source.counters);
+  set_counters(row, "counter", run.counters);
+  set_counters(row, "output", run.output.counters);
   for (const MetricRecord& metric : run.metrics)
-    row.set(metric.name, number_text(counter_ratio(run, metric.numerator, metric.denominator)));
+    row.set_figure("metric", metric.name,
+                   number_text(counter_ratio(run, metric.numerator, metric.denominator)));
+}
+
+/// What every row has: the parameters of all runs stand together, though not all runs have all.
+std::vector<std::string> first_columns(const std::vector<NamedReport>& reports) {
+  std::vector<std::string> columns{"report", "run"};
+  for (const NamedReport& source : reports) add_parameter_names(source.report, columns);
+  return columns;
 }
 
 void add_rows(TidyTable& table, const Place& place, TidyRows rows) {
@@ -154,7 +170,7 @@ void add_rows(TidyTable& table, const Place& place, TidyRows rows) {
 }  // namespace
 
 TidyTable tidy(const std::vector<NamedReport>& reports, TidyRows rows) {
-  TidyTable table;
+  TidyTable table{first_columns(reports), {}};
   for (const NamedReport& source : reports)
     for (std::size_t i = 0; i < source.report.runs.size(); ++i) add_rows(table, {source, i}, rows);
   for (auto& row : table.rows) row.resize(table.columns.size());

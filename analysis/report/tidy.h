@@ -29,9 +29,11 @@ struct TidyTable {
   std::vector<std::vector<std::string>> rows;  ///< As long as `columns`; empty where undefined.
 };
 
-/// The rows of all reports, in their order. Counters and metrics of runs become columns: the union
-/// over all runs. Numbers have a point; switches are TRUE or FALSE; hashes begin with `x`, so that
-/// no reader of CSV takes them for numbers.
+/// The rows of all reports, in their order. Parameters, counters and metrics of runs become
+/// columns: the union over all runs, with empty fields where a run has none. A counter or metric
+/// whose name its row has already is `source_`, `counter_`, `output_` or `metric_` and its name.
+/// Numbers have a point; switches are TRUE or FALSE; hashes begin with `x`, so that no reader of
+/// CSV takes them for numbers.
 TidyTable tidy(const std::vector<NamedReport>& reports, TidyRows rows);
 
 /// The table as CSV with a header.

@@ -2,24 +2,22 @@
 #include "analysis/sweep/sweep.h"
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <limits>
-#include <numeric>
 
 #include "analysis/base/build_info.h"
 #include "analysis/experiment/experiment.h"
+#include "analysis/experiment/stopwatch.h"
 #include "analysis/report/merge.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Indices = std::vector<std::size_t>;
 
-/// Groups by tessellation alone, so that shards do not depend on how much memory a machine has.
-constexpr GroupLimits kNoLimits{std::numeric_limits<std::int64_t>::max()};
+/// Groups by source alone, so that shards do not depend on how much memory a machine has.
+constexpr GroupLimits kNoLimits{std::numeric_limits<std::uint64_t>::max()};
 
 std::vector<Configuration> select(const std::vector<Configuration>& cells, const Indices& indices) {
   std::vector<Configuration> selected;
@@ -48,10 +46,10 @@ class Sweep {
   }
 
   SweepSummary run() {
-    const Clock::time_point start = Clock::now();
-    for (const Indices& group : group_by_tessellation(left_, options_.group_limits))
+    Stopwatch watch;
+    for (const Indices& group : group_by_source(left_, options_.group_limits))
       run_group(select(left_, group));
-    summary_.wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    summary_.wall_ms = watch.ms();
     summary_.peak_memory_bytes = peak_memory_bytes();
     return summary_;
   }
@@ -77,7 +75,7 @@ class Sweep {
     ExperimentOptions options;
     options.threads = options_.threads;
     options.group_limits = options_.group_limits;
-    options.frames = &frames_;
+    options.outputs = &outputs_;
     options.progress = [&](double fraction) { tell(fraction * expected_work(group)); };
     try {
       return run_experiment(group, options);
@@ -96,8 +94,9 @@ class Sweep {
     }
     ++summary_.groups;
     summary_.observation_ms += report.timing.observation_ms;
-    summary_.dicing_ms += report.timing.dicing_ms;
-    summary_.dicing_unshared_ms += report.timing.dicing_ms * static_cast<double>(group.size());
+    summary_.source_ms += report.timing.source_ms;
+    summary_.source_unshared_ms += report.timing.source_ms * static_cast<double>(group.size()) /
+                                   source_passes(group, options_.threads);
   }
 
   /// `work` is finished in the group that runs.
@@ -112,39 +111,37 @@ class Sweep {
   const SweepOptions& options_;
   std::vector<Configuration> left_;
   SweepSummary summary_;
-  FramePool frames_;
+  OutputPool outputs_;
   double work_ = 0.0;
   double work_done_ = 0.0;
 };
 
-/// Wall time that the runs of a report would take on one thread.
-double thread_ms(const Report& report) { return report.timing.wall_ms * report.timing.threads; }
+/// The time that something took on one thread, and its expected work.
+struct Measurement {
+  double ms = 0.0;
+  double work = 0.0;
+};
 
-/// The cell on a frame so small that it takes no time to speak of.
-Configuration made_small(Configuration cell) {
-  constexpr int kSmallWidth_px = 192;
-  TessellationOptions& t = cell.tessellation;
-  if (t.width_px <= kSmallWidth_px) return cell;
-  t.height_px = std::max(1, t.height_px * kSmallWidth_px / t.width_px);
-  t.width_px = kSmallWidth_px;
-  return cell;
+Measurement of_finished(const std::vector<Report>& done) {
+  Measurement sum;
+  for (const Report& report : done) {
+    sum.ms += report.timing.wall_ms * report.timing.threads;
+    for (const RunRecord& run : report.runs) sum.work += expected_work(run.configuration);
+  }
+  return sum;
 }
 
-/// A report of one group of the cells on a small frame.
-std::optional<Report> calibrate(const std::vector<Configuration>& left,
-                                const SweepOptions& options) {
-  for (const Indices& group : group_by_tessellation(left, options.group_limits)) {
-    std::vector<Configuration> small = select(left, group);
-    std::transform(small.begin(), small.end(), small.begin(), made_small);
-    ExperimentOptions experiment;
-    experiment.threads = options.threads;
+/// Of one group of the cells, extrapolated.
+Measurement of_brief_run(const std::vector<Configuration>& left, const SweepOptions& options) {
+  for (const Indices& indices : group_by_source(left, options.group_limits)) {
+    const std::vector<Configuration> group = select(left, indices);
     try {
-      return run_experiment(small, experiment);
+      return {estimated_thread_ms(group, options.group_limits), expected_work(group)};
     } catch (const std::exception&) {
       // What cannot be run takes no time; another group may tell more.
     }
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
@@ -152,7 +149,7 @@ std::optional<Report> calibrate(const std::vector<Configuration>& left,
 std::vector<Configuration> shard_of(const std::vector<Configuration>& cells, int index, int count) {
   LANESCOPE_CHECK(index >= 1 && index <= count, "shard {} of {}", index, count);
   const auto shards = static_cast<std::size_t>(count);
-  const std::vector<Indices> groups = group_by_tessellation(cells, kNoLimits);
+  const std::vector<Indices> groups = group_by_source(cells, kNoLimits);
   // Too few groups are cut into as many parts each as give every shard one.
   const std::size_t parts = (shards + groups.size() - 1) / groups.size();
   Indices mine;
@@ -175,25 +172,16 @@ SweepSummary run_sweep(const std::vector<Configuration>& cells, const SweepDirec
 }
 
 double expected_work(const Configuration& cell) {
-  const TessellationOptions& t = cell.tessellation;
-  return static_cast<double>(t.width_px) * t.height_px * cell.samples_per_pixel;
+  return workload_of(cell).expected_work(cell.arguments);
 }
 
 std::optional<SweepEstimate> estimate_sweep(const std::vector<Report>& done,
                                             const std::vector<Configuration>& left,
                                             const SweepOptions& options) {
-  std::vector<Report> measured = done;
-  if (done.empty())
-    if (std::optional<Report> report = calibrate(left, options))
-      measured.push_back(std::move(*report));
-  double ms = 0.0;
-  double work = 0.0;
-  for (const Report& report : measured) {
-    ms += thread_ms(report);
-    for (const RunRecord& run : report.runs) work += expected_work(run.configuration);
-  }
-  if (work == 0.0) return std::nullopt;
-  return SweepEstimate{ms / work * expected_work(left) / options.threads / 1000.0, !done.empty()};
+  const Measurement measured = done.empty() ? of_brief_run(left, options) : of_finished(done);
+  if (measured.work == 0.0) return std::nullopt;
+  const double ms = measured.ms / measured.work * expected_work(left) / options.threads;
+  return SweepEstimate{ms / 1000.0, !done.empty()};
 }
 
 }  // namespace lanescope

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@
 namespace lanescope {
 
 /// Cells in the shard `index` of `count`, from 1. Shards are disjoint and together all cells.
-/// Cells of one tessellation are dealt out together as long as there are enough such groups for
-/// all shards. Requires 1 <= index <= count.
+/// Cells of one source are dealt out together as long as there are enough such groups for all
+/// shards. Requires 1 <= index <= count.
 std::vector<Configuration> shard_of(const std::vector<Configuration>& cells, int index, int count);
 
 /// Where a sweep is. Cells that an earlier start has finished are not counted.
@@ -27,10 +28,10 @@ struct SweepProgress {
 
 struct SweepOptions {
   int threads = 1;
-  /// Cells of one tessellation run as a group, which is fed by one tessellation, packet by packet.
-  /// Nothing of it is stored, so that sharing costs only the memory of the group's frames. What is
-  /// lost when the process is killed is the group that runs; a limit of members makes that less,
-  /// and with a limit of 1 nothing is shared.
+  /// Cells of one source run as a group, which it feeds piece by piece. Nothing of the work is
+  /// stored, so that sharing costs only the memory of the group's outputs. What is lost when the
+  /// process is killed is the group that runs; a limit of members makes that less, and with a limit
+  /// of 1 nothing is shared.
   GroupLimits group_limits;
   /// What the reports of the cells name as their command.
   std::string command;
@@ -43,17 +44,17 @@ struct SweepSummary {
   std::size_t skipped = 0;  ///< Finished before.
   std::size_t done = 0;
   std::size_t failed = 0;
-  std::size_t groups = 0;  ///< Tessellations that were made for the cells done.
+  std::size_t groups = 0;  ///< Sources that were opened for the cells done.
   double wall_ms = 0.0;
   int threads = 1;
   double kernel_ms = 0.0;  ///< This and the times below are summed over threads.
   double observation_ms = 0.0;
-  double dicing_ms = 0.0;
-  double dicing_unshared_ms = 0.0;  ///< Had each cell been diced by itself.
+  double source_ms = 0.0;           ///< Making the work.
+  double source_unshared_ms = 0.0;  ///< Had the work of each cell been made by itself.
   std::uint64_t peak_memory_bytes = 0;
 
-  double work_ms() const { return kernel_ms + observation_ms + dicing_ms; }
-  double work_unshared_ms() const { return work_ms() - dicing_ms + dicing_unshared_ms; }
+  double work_ms() const { return kernel_ms + observation_ms + source_ms; }
+  double work_unshared_ms() const { return work_ms() - source_ms + source_unshared_ms; }
 };
 
 /// Runs the cells whose reports are not in the directory yet. A cell that cannot be run is kept as
@@ -68,7 +69,7 @@ double expected_work(const Configuration& cell);
 /// How long the cells that are left will take, and how that is known.
 struct SweepEstimate {
   double seconds = 0.0;
-  bool from_finished_cells = false;  ///< Otherwise from a brief run of one group on a small frame.
+  bool from_finished_cells = false;  ///< Otherwise from a brief run of a part of one group.
 };
 
 /// Estimates from the times of the cells that are done, or, if there are none, from a brief run of

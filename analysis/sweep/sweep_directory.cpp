@@ -9,8 +9,8 @@
 #include "analysis/base/json_text.h"
 #include "analysis/configuration/configuration_json.h"
 #include "analysis/report/report_json.h"
+#include "analysis/sweep/content_hash.h"
 #include "simulator/base/error.h"
-#include "simulator/base/random.h"
 
 namespace lanescope {
 namespace {
@@ -20,13 +20,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view kEnding = ".json";
 constexpr int kFailureVersion = 1;
 constexpr std::string_view kFailureSchema = "lanescope-sweep-failure";
-
-/// FNV-1a, whose low bits mix64 spreads over the whole word.
-std::uint64_t text_hash(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return mix64(hash);
-}
 
 /// The files of a directory that end in .json, by name; none if there is no such directory.
 std::vector<std::string> json_files(const std::string& directory) {
@@ -38,12 +31,19 @@ std::vector<std::string> json_files(const std::string& directory) {
   return paths;
 }
 
+/// A hash of the resolved parameters, the version and commit of the program, and `content`.
+std::string identity(const Configuration& cell, std::string_view content) {
+  return fmt::format("{:016x}",
+                     text_hash(fmt::format("{}\n{}\n{}{}", configuration_json(cell).dump(),
+                                           program_version(), program_commit(), content)));
+}
+
 }  // namespace
 
 std::string cell_id(const Configuration& cell) {
-  const std::string identity = fmt::format("{}\n{}\n{}", configuration_json(cell).dump(),
-                                           program_version(), program_commit());
-  return fmt::format("{:016x}", text_hash(identity));
+  std::optional<std::uint64_t> content;
+  if (workload_of(cell).is_file(cell.scene)) content = file_hash(cell.scene);
+  return identity(cell, content ? fmt::format("\n{:016x}", *content) : "");
 }
 
 void SweepDirectory::open() const {
@@ -55,7 +55,7 @@ void SweepDirectory::open() const {
 std::optional<Report> SweepDirectory::find(const Configuration& cell) const {
   try {
     Report report = read_report(cell_path(cell));
-    if (report.runs.size() == 1 && cell_id(report.runs.front().configuration) == cell_id(cell) &&
+    if (report.runs.size() == 1 && report.runs.front().configuration == cell &&
         report.program_version == program_version() && report.commit == program_commit())
       return report;
   } catch (const InputError&) {
@@ -92,7 +92,7 @@ std::string SweepDirectory::cell_path(const Configuration& cell) const {
 }
 
 std::string SweepDirectory::failure_path(const Configuration& cell) const {
-  return fmt::format("{}/{}{}", failed_path(), cell_id(cell), kEnding);
+  return fmt::format("{}/{}{}", failed_path(), identity(cell, ""), kEnding);
 }
 
 }  // namespace lanescope

@@ -12,8 +12,9 @@
 
 namespace lanescope {
 
-/// 16 hexadecimal digits that identify a cell: a hash of its resolved parameters and of the version
-/// and commit of the program.
+/// 16 hexadecimal digits that identify a cell: a hash of its resolved parameters, of the version
+/// and commit of the program, and, if its scene is a file that can be read, of the file's content.
+/// Requires that the program has the cell's kernel.
 std::string cell_id(const Configuration& cell);
 
 class SweepDirectory {
@@ -45,6 +46,7 @@ class SweepDirectory {
 
  private:
   std::string cell_path(const Configuration& cell) const;
+  /// Whatever the content of its scene was: a file that is mended leaves no failure behind.
   std::string failure_path(const Configuration& cell) const;
   std::string path_;
 };

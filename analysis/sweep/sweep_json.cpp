@@ -6,7 +6,7 @@
 namespace lanescope {
 namespace {
 
-constexpr int kSummaryVersion = 1;
+constexpr int kSummaryVersion = 2;
 constexpr std::string_view kSummarySchema = "lanescope-sweep-summary";
 
 }  // namespace
@@ -22,8 +22,8 @@ std::string summary_text(const SweepSummary& s) {
                     {"threads", s.threads},
                     {"kernel_ms", json_ms(s.kernel_ms)},
                     {"observation_ms", json_ms(s.observation_ms)},
-                    {"dicing_ms", json_ms(s.dicing_ms)},
-                    {"dicing_unshared_ms", json_ms(s.dicing_unshared_ms)},
+                    {"source_ms", json_ms(s.source_ms)},
+                    {"source_unshared_ms", json_ms(s.source_unshared_ms)},
                     {"work_ms", json_ms(s.work_ms())},
                     {"work_unshared_ms", json_ms(s.work_unshared_ms())},
                     {"peak_memory_bytes", s.peak_memory_bytes}});

@@ -1,44 +1,34 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
-#include "analysis/tables/table.h"
-#include "analysis/tables/thesis.h"
-#include "analysis/tables/thesis_figures.h"
+#include "analysis/tables/means.h"
+#include "analysis/tables/series_rows.h"
 
 namespace lanescope {
 namespace {
 
-Row stage_row(const ReportView& view, std::string_view stage) {
-  Row row{std::string(stage), {}};
-  for (const int width : view.widths(kRepackTriangle)) {
-    const auto share = overhead_share(view, kRepackTriangle, stage, width);
-    row.cells.push_back({Figure{share, {}, &kPercent}, {}, {}});
-  }
-  row.cells.push_back({Figure{mean_overhead_share(view, kRepackTriangle, stage),
-                              thesis_value({"table_4_3", "overhead", stage}), &kPercent},
-                       {},
-                       {}});
-  return row;
+std::vector<Row> rows(const ReportView& view, const Series& series) {
+  std::vector<Row> rows;
+  if (!marks_overhead(view, series)) return rows;
+  for (const std::string& stage : stages_of(view, series))
+    rows.push_back(figure_row(view, series, stage, kPercent, [&](int width) {
+      return mean_stage_overhead(view, series, stage, width);
+    }));
+  rows.push_back(figure_row(view, series, "Overall", kPercent,
+                            [&](int width) { return mean_overhead(view, series, width); }));
+  return rows;
 }
 
 TableData build(const ReportView& view) {
-  TableData data;
-  data.title = "Table 4.3: REPACK, triangles: overhead of each stage";
-  data.row_header = "Stage";
-  for (const int width : view.widths(kRepackTriangle))
-    data.columns.push_back(fmt::format("W = {}", width));
-  data.columns.push_back("Mean over W");
-  for (const std::string_view stage : kThesisStages) data.rows.push_back(stage_row(view, stage));
+  TableData data =
+      table_over_widths(view, "Overhead: share of the stage's own instructions", "Stage", rows);
   data.notes = {
-      "The share of the stage's own instructions that REPACK spends and LOCKSTEP does not: loading "
-      "from, compacting into and scheduling of buffers, marked in the kernel where it is issued.",
-      "The thesis gives one figure for each stage and does not say at which width."};
+      "Overhead is work that the baseline of a kernel does not have to do, marked in the kernel "
+      "where it is issued. Kernels that mark nothing are left out."};
   return data;
 }
 
 }  // namespace
 
-extern const Table t_overhead{"overhead", "table 4.3: what REPACK spends on its buffers, by stage",
+extern const Table t_overhead{"overhead", "instructions that kernels mark as overhead, by stage",
                               build};
 
 }  // namespace lanescope

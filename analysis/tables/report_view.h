@@ -2,8 +2,11 @@
 // What a table is made from: a report and the scenes of it that the table is about.
 #pragma once
 
+#include <compare>
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,24 +15,29 @@
 
 namespace lanescope {
 
-/// A kernel on one kind of micropolygon: the runs that one table of the thesis compares over W.
+/// A kernel on one kind of its work (facet_of): the runs that a table compares over W.
 struct Series {
-  std::string_view kernel;
-  Micropolygon shape;
+  std::string kernel;
+  std::string facet;
+
+  auto operator<=>(const Series&) const = default;
 };
 
 /// A figure of one run; none where it is undefined.
 using RunFigure = std::function<std::optional<double>(const RunRecord&)>;
 
-/// Scenes of a report: one by itself, or several over which figures are averaged.
+/// Scenes of a report: one by itself, or several over which figures are averaged. Keeps a reference
+/// to the report. Throws InputError if two runs are of the same kernel, scene, width and facet,
+/// because a table could show only one of them.
 class ReportView {
  public:
-  /// The scenes that are like the thesis's, or all of the report's if it has none of those. Keeps a
-  /// reference to `report`. Throws InputError if two runs are of the same kernel, scene, width and
-  /// micropolygon, because a table could show only one of them.
+  /// All scenes of the report.
   explicit ReportView(const Report& report);
-  /// One scene by itself. Throws InputError if the report does not have it.
-  ReportView(const Report& report, const std::string& scene);
+  /// Throws InputError if the report does not have one of the scenes.
+  ReportView(const Report& report, const std::vector<std::string>& scenes);
+  /// One scene by itself.
+  ReportView(const Report& report, const std::string& scene)
+      : ReportView(report, std::vector<std::string>{scene}) {}
 
   const Report& report() const { return *report_; }
   const std::vector<std::string>& scenes() const { return scenes_; }
@@ -37,26 +45,57 @@ class ReportView {
   std::string caption() const;
 
   /// The run, or null.
-  const RunRecord* find(const Series& series, std::string_view scene, int width) const;
-  /// Some run of the scene on that kind of micropolygon, for figures that no kernel or width
-  /// changes; null if there is none.
-  const RunRecord* find_any(std::string_view scene, Micropolygon shape) const;
+  const RunRecord* find(const Series& series, const std::string& scene, int width) const;
+  /// Some run of the series, for what no scene or width changes; null if there is none.
+  const RunRecord* find_any(const Series& series) const;
+  /// Some run of the scene on that kind of work, for figures that no kernel or width changes; null
+  /// if there is none.
+  const RunRecord* find_any(std::string_view facet, std::string_view scene) const;
 
-  /// Widths of the series in the report, ascending; the thesis's if it has none.
+  /// Widths of the series in the report, ascending.
   std::vector<int> widths(const Series& series) const;
 
-  /// Arithmetic mean over the scenes of the figure, as the thesis averages ratios. None if a scene
-  /// lacks the run or the figure is undefined there.
+  /// The runs that a mean is over: of each scene of the series's kind of work. None at all if a
+  /// scene lacks its run.
+  std::vector<const RunRecord*> runs(const Series& series, int width) const;
+
+  /// Arithmetic mean of the figure over the scenes. None if a scene lacks the run or the figure is
+  /// undefined there.
   std::optional<double> mean(const Series& series, int width, const RunFigure& figure) const;
-  /// The same for figures that no kernel or width changes.
-  std::optional<double> mean(Micropolygon shape, const RunFigure& figure) const;
 
  private:
+  struct Place {
+    Series series;
+    std::string scene;
+    int width;
+    auto operator<=>(const Place&) const = default;
+  };
+
   const Report* report_;
   std::vector<std::string> scenes_;
+  std::map<Place, const RunRecord*> runs_;
+  /// The scenes of each kind of work.
+  std::map<std::string, std::set<std::string>> scenes_of_work_;
 };
+
+/// The mean of a figure over runs; none if there are none, or the figure is undefined for one.
+std::optional<double> mean_over(const std::vector<const RunRecord*>& runs, const RunFigure& figure);
 
 /// The scenes of a report, in the order of their first runs.
 std::vector<std::string> scenes_of(const Report& report);
+
+/// Those of `wanted` that the report has, in its order; all of the report's if it has none of them.
+std::vector<std::string> scenes_of(const Report& report, const std::vector<std::string>& wanted);
+
+/// The kernels of a report on their kinds of work, kernels in the order of their first runs, facets
+/// in the order of their choices.
+std::vector<Series> series_of(const Report& report);
+
+/// All widths of a report, ascending.
+std::vector<int> widths_of(const Report& report);
+
+/// The parameter that is the facet of a kernel's kind of work; empty if it has none, or if the
+/// program does not have the kernel.
+std::string_view facet_name(std::string_view kernel);
 
 }  // namespace lanescope

@@ -22,6 +22,15 @@ TableData build_table(const Table& table, const ReportView& view) {
   return data;
 }
 
+std::vector<TableData> build_tables(const std::vector<const Table*>& tables,
+                                    const ReportView& view) {
+  std::vector<TableData> built;
+  for (const Table* table : tables)
+    if (TableData data = build_table(*table, view); !data.rows.empty())
+      built.push_back(std::move(data));
+  return built;
+}
+
 std::string shown(const Figure& figure) {
   if (!figure.ours) return "n/a";
   const Unit& unit = *figure.unit;
@@ -35,29 +44,29 @@ std::string shown(const Cell& cell) {
   return text;
 }
 
-std::string shown_thesis(const Figure& figure) {
-  if (!figure.thesis) return {};
+std::string shown_paper(const Figure& figure) {
+  if (!figure.paper) return {};
   const Unit& unit = *figure.unit;
   return fmt::format("{}{:.{}f}{}", unit.difference == Difference::kBound ? "<" : "",
-                     *figure.thesis * unit.scale, unit.thesis_decimals, unit.suffix);
+                     *figure.paper * unit.scale, unit.paper_decimals, unit.suffix);
 }
 
 std::optional<double> rounded_difference(const Figure& figure) {
-  if (!figure.ours || !figure.thesis) return std::nullopt;
+  if (!figure.ours || !figure.paper) return std::nullopt;
   const Unit& unit = *figure.unit;
-  const int decimals = unit.thesis_decimals;
+  const int decimals = unit.paper_decimals;
   return rounded(*figure.ours * unit.scale, decimals) -
-         rounded(*figure.thesis * unit.scale, decimals);
+         rounded(*figure.paper * unit.scale, decimals);
 }
 
 std::string shown_difference(const Figure& figure) {
-  if (!figure.ours || !figure.thesis || figure.unit->difference == Difference::kBound) return {};
+  if (!figure.ours || !figure.paper || figure.unit->difference == Difference::kBound) return {};
   if (figure.unit->difference == Difference::kRelative) {
-    if (*figure.thesis == 0.0) return "n/a";
+    if (*figure.paper == 0.0) return "n/a";
     // Adding 0 turns a negative zero, which would print as -0, into a positive one.
-    return fmt::format("{:+.0f}%", std::round(100.0 * (*figure.ours / *figure.thesis - 1.0)) + 0.0);
+    return fmt::format("{:+.0f}%", std::round(100.0 * (*figure.ours / *figure.paper - 1.0)) + 0.0);
   }
-  return fmt::format("{:+.{}f}", *rounded_difference(figure) + 0.0, figure.unit->thesis_decimals);
+  return fmt::format("{:+.{}f}", *rounded_difference(figure) + 0.0, figure.unit->paper_decimals);
 }
 
 }  // namespace lanescope

@@ -12,7 +12,7 @@
 
 namespace lanescope {
 
-/// How a number stands against the thesis's.
+/// How a number stands against a paper's.
 enum class Difference {
   kAbsolute,  ///< Ours minus theirs.
   kRelative,  ///< In percent of theirs.
@@ -25,28 +25,25 @@ struct Unit {
   double scale;             ///< Shown value over stored value.
   std::string_view suffix;  ///< After the shown value.
   int decimals;
-  int thesis_decimals;  ///< As the thesis prints it; a difference is of numbers rounded so.
+  int paper_decimals;  ///< As the paper prints it; a difference is of numbers rounded so.
   Difference difference;
 };
 
 inline constexpr Unit kPercent{"fraction", 100.0, "%", 1, 0, Difference::kAbsolute};
 inline constexpr Unit kSmallPercent{"fraction", 100.0, "%", 3, 0, Difference::kBound};
 inline constexpr Unit kShare{"fraction", 1.0, "", 2, 2, Difference::kAbsolute};
-inline constexpr Unit kInstructions{"instructions/micropolygon", 1.0, "", 2, 2,
-                                    Difference::kRelative};
-inline constexpr Unit kRoundInstructions{"instructions/micropolygon", 1.0, "", 1, 1,
-                                         Difference::kRelative};
+inline constexpr Unit kInstructions{"instructions/element", 1.0, "", 2, 2, Difference::kRelative};
+inline constexpr Unit kLines{"lines/execution", 1.0, "", 2, 2, Difference::kRelative};
 inline constexpr Unit kCount{"count", 1.0, "", 0, 0, Difference::kAbsolute};
 inline constexpr Unit kMillions{"count", 1e-6, " M", 2, 2, Difference::kRelative};
-inline constexpr Unit kWidths{"W", 1.0, " W", 2, 1, Difference::kAbsolute};
 inline constexpr Unit kFactor{"factor", 1.0, "x", 2, 1, Difference::kAbsolute};
 inline constexpr Unit kPoints{"points", 1.0, "", 2, 2, Difference::kAbsolute};
 inline constexpr Unit kMeasure{"ratio", 1.0, "", 4, 4, Difference::kAbsolute};
 
-/// A number of ours, and the thesis's where it has one.
+/// A number of ours, and a paper's where it has one.
 struct Figure {
   std::optional<double> ours;
-  std::optional<double> thesis;
+  std::optional<double> paper;
   const Unit* unit = &kCount;
 };
 
@@ -73,29 +70,35 @@ struct TableData {
   std::vector<std::string> notes;  ///< Sentences that define or qualify, shown below.
 };
 
-/// The descriptor; analysis/tables/<name>.cpp ends in one, and the registry lists them.
+/// The descriptor; analysis/tables/<name>.cpp ends in one, and the registry lists them. Studies
+/// have tables of their own.
 struct Table {
   std::string_view name;
   std::string_view summary;
-  /// Leaves `name` to build_table, and `caption` too unless it is not that of the view.
+  /// Leaves `name` to build_table, and `caption` too unless it is not that of the view. Without
+  /// rows if the report has no such figures.
   TableData (*build)(const ReportView& view);
 };
 
-/// Every table, in the order of analysis/tables/CMakeLists.txt.
+/// Every table that any run can have, in the order of analysis/tables/CMakeLists.txt.
 const std::vector<const Table*>& tables();
 
 TableData build_table(const Table& table, const ReportView& view);
 
+/// Those that have rows.
+std::vector<TableData> build_tables(const std::vector<const Table*>& tables,
+                                    const ReportView& view);
+
 /// The shown form of a figure's own number: `83.4%`, or `n/a`.
 std::string shown(const Figure& figure);
-/// The shown form of a whole cell, without the thesis's number: `83.4% (0.68)`.
+/// The shown form of a whole cell, without the paper's number: `83.4% (0.68)`.
 std::string shown(const Cell& cell);
-/// The thesis's number as the thesis prints it, or empty; `<1%` for a bound.
-std::string shown_thesis(const Figure& figure);
-/// The difference with its sign, in the last digit that the thesis prints, or in percent; empty
+/// The paper's number as the paper prints it, or empty; `<1%` for a bound.
+std::string shown_paper(const Figure& figure);
+/// The difference with its sign, in the last digit that the paper prints, or in percent; empty
 /// where either number is missing.
 std::string shown_difference(const Figure& figure);
-/// Ours minus the thesis's, both scaled, and rounded as the thesis rounds.
+/// Ours minus the paper's, both scaled, and rounded as the paper rounds.
 std::optional<double> rounded_difference(const Figure& figure);
 
 }  // namespace lanescope

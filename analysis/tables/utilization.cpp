@@ -1,124 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/tables/utilization.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cctype>
-
-#include "analysis/tables/thesis.h"
-#include "analysis/tables/thesis_figures.h"
-#include "simulator/base/error.h"
+#include "analysis/tables/series_rows.h"
 
 namespace lanescope {
 namespace {
 
-constexpr std::string_view kOverall = "Overall";
-constexpr std::string_view kSetup = "Setup";
-
-/// A row with a cell for each width.
-template <class MakeCell>
-Row row_over(const std::string& label, const std::vector<int>& widths, const MakeCell& make_cell) {
-  Row row{label, {}};
-  for (const int width : widths) row.cells.push_back(make_cell(width));
-  return row;
-}
-
-Row stage_row(const ReportView& view, const UtilizationTable& table, std::string_view stage) {
-  return row_over(std::string(stage), view.widths(table.series), [&](int width) {
-    const Figure share{stage_share(view, table.series, stage, width),
-                       thesis_value({table.thesis_key, "fraction_of_time", stage}, width), &kShare};
-    return Cell{utilization_figure(view, table, stage, width), share, {}};
-  });
-}
-
-Row setup_row(const ReportView& view, const Series& series) {
-  return row_over("Setup *", view.widths(series), [&](int width) {
-    const Figure busy{stage_utilization(view, series, kSetup, width), {}, &kPercent};
-    const Figure share{stage_share(view, series, kSetup, width, Stages::kAll), {}, &kShare};
-    return Cell{busy, share, {}};
-  });
-}
-
-void add_rows_with_setup(TableData& data, const ReportView& view, const Series& series) {
-  const std::vector<int> widths = view.widths(series);
-  data.rows.push_back(setup_row(view, series));
-  data.rows.push_back(row_over("Overall *", widths, [&](int width) {
-    return Cell{
-        Figure{overall_utilization(view, series, width, Stages::kAll), {}, &kPercent}, {}, {}};
-  }));
-  data.rows.push_back(row_over("Instr./mp *", widths, [&](int width) {
-    return Cell{
-        Figure{instructions(view, series, width, Stages::kAll), {}, &kInstructions}, {}, {}};
-  }));
-}
-
-std::string upper(std::string_view text) {
-  std::string letters(text);
-  std::transform(letters.begin(), letters.end(), letters.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return letters;
+TableData build(const ReportView& view) {
+  TableData data = table_over_widths(view, "Utilization of each stage (share of the instructions)",
+                                     "Stage", utilization_rows);
+  data.notes = {"Utilization is active lanes / (instructions x W)."};
+  return data;
 }
 
 }  // namespace
 
-const std::vector<UtilizationTable>& utilization_tables() {
-  static const std::vector<UtilizationTable> all{{"4.1", "table_4_1", kLockstepTriangle},
-                                                 {"4.2", "table_4_2", kRepackTriangle},
-                                                 {"4.4", "table_4_4", kLockstepQuad},
-                                                 {"4.5", "table_4_5", kRepackQuad}};
-  return all;
-}
-
-const UtilizationTable& utilization_table(std::string_view number) {
-  const auto& all = utilization_tables();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const auto& t) { return t.number == number; });
-  LANESCOPE_CHECK(found != all.end(), "table {}", number);
-  return *found;
-}
-
-std::vector<std::string_view> thesis_stages(const UtilizationTable& table) {
-  std::vector<std::string_view> stages;
-  for (const std::string_view stage : kThesisStages)
-    if (thesis_value({table.thesis_key, "utilization", stage}, kThesisWidths.front()))
-      stages.push_back(stage);
-  return stages;
-}
-
-Figure utilization_figure(const ReportView& view, const UtilizationTable& table,
-                          std::string_view stage, int width) {
-  const auto ours = stage == kOverall ? overall_utilization(view, table.series, width)
-                                      : stage_utilization(view, table.series, stage, width);
-  return {ours, thesis_value({table.thesis_key, "utilization", stage}, width), &kPercent};
-}
-
-TableData build_utilization(const ReportView& view, const UtilizationTable& table) {
-  const Series& series = table.series;
-  const std::vector<int> widths = view.widths(series);
-  TableData data;
-  data.title = fmt::format("Table {}: {}, {}s: utilization (share of the instructions)",
-                           table.number, upper(series.kernel), to_string(series.shape));
-  data.row_header = "Stage";
-  for (const int width : widths) data.columns.push_back(fmt::format("W = {}", width));
-  for (const std::string_view stage : thesis_stages(table))
-    data.rows.push_back(stage_row(view, table, stage));
-  data.rows.push_back(row_over(std::string(kOverall), widths, [&](int width) {
-    return Cell{utilization_figure(view, table, kOverall, width), {}, {}};
-  }));
-  data.rows.push_back(row_over("Instr./mp", widths, [&](int width) {
-    return Cell{Figure{instructions(view, series, width),
-                       thesis_value({table.thesis_key, "ops_per_mp"}, width), &kInstructions},
-                {},
-                {}};
-  }));
-  add_rows_with_setup(data, view, series);
-  data.notes = {
-      "Utilization is active lanes / (instructions x W); instructions are vector instructions, for "
-      "each micropolygon (mp) that is rasterized.",
-      "* The thesis leaves Setup out of its tables. Rows marked so are with it; the others, as in "
-      "the thesis, without."};
-  return data;
-}
+extern const Table t_utilization{
+    "utilization", "utilization of each stage, and its share of the instructions", build};
 
 }  // namespace lanescope

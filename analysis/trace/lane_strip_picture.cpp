@@ -102,13 +102,12 @@ class Picture {
   void heading() {
     const LaneStrip& strip = strips_.front();
     const std::size_t batches = strip.batch_starts().size();
-    canvas_->text(
-        kLeft, 28,
-        fmt::format("{}: batches {} to {} of {} micropolygons; lanes down, "
-                    "instructions across",
-                    picture_title(strip.configuration()), strip.first_batch(),
-                    strip.first_batch() + (batches == 0 ? 0 : batches - 1), strip.width()),
-        kNote);
+    canvas_->text(kLeft, 28,
+                  fmt::format("{}: batches {} to {} of {} {}; lanes down, instructions across",
+                              picture_title(strip.configuration()), strip.first_batch(),
+                              strip.first_batch() + (batches == 0 ? 0 : batches - 1), strip.width(),
+                              strip.kernel().workload->name),
+                  kNote);
   }
 
   void panel(const LaneStrip& strip, int y) {
@@ -134,7 +133,7 @@ class Picture {
     };
     for (std::size_t stage = 0; stage < strip.stages().size(); ++stage) {
       const std::string_view name = strip.kernel().stages[stage];
-      entry(stage_colour(name, stage),
+      entry(stage_colour(name),
             fmt::format("{} {}", name, percent(strip.stages()[stage], strip.width())));
     }
     entry(kLaneOff, "lane off");
@@ -215,7 +214,7 @@ Colour lane_colour(const LaneStrip& strip, std::size_t column, int lane) {
     issued += strip.issued(column, stage);
     const double active = strip.active(column, stage, lane);
     on += active;
-    const Colour colour = stage_colour(strip.kernel().stages[stage], stage);
+    const Colour colour = stage_colour(strip.kernel().stages[stage]);
     for (std::size_t c = 0; c < 3; ++c) sum[c] += active * colour[c];
   }
   Colour mean;

@@ -4,28 +4,22 @@
 #include <algorithm>
 #include <memory>
 
-#include "analysis/experiment/scene_source.h"
 #include "simulator/base/error.h"
-#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
 namespace {
 
-/// Lets through what happens in the batches of the window.
+/// Counts the batches of a kernel, and lets through what happens in those of the window.
 class Gate final : public Observer {
  public:
   Gate(const TraceWindow& window, std::span<TraceSink* const> sinks)
       : window_(window), sinks_(sinks) {}
 
-  /// The next packet's first batch is `batch`. What precedes it in the packet counts to it: turning
-  /// around of micropolygons that face away.
-  void begin_packet(std::uint64_t batch) {
-    next_ = batch;
-    open_ = window_.holds(batch);
-  }
+  /// What a kernel does with a piece of work before its first batch counts to that.
+  void begin_piece() { open_ = window_.holds(batches_); }
 
   void batch_begins() override {
-    const std::uint64_t batch = next_++;
+    const std::uint64_t batch = batches_++;
     open_ = window_.holds(batch);
     if (!open_) return;
     for (TraceSink* sink : sinks_) sink->batch(batch);
@@ -36,45 +30,42 @@ class Gate final : public Observer {
     for (TraceSink* sink : sinks_) sink->issued(event);
   }
 
+  /// Batches that have begun.
+  std::uint64_t batches() const { return batches_; }
+
  private:
   const TraceWindow& window_;
   std::span<TraceSink* const> sinks_;
-  std::uint64_t next_ = 0;
+  std::uint64_t batches_ = 0;
   bool open_ = false;
 };
 
-/// Runs a kernel on those packets that reach into the window.
+/// A kernel that runs until the window has been passed. It takes all pieces before that: how many
+/// batches they are, and what it keeps of them, only the kernel knows.
 class WindowRun {
  public:
-  WindowRun(const Configuration& configuration, const Kernel& kernel, const TraceWindow& window,
-            std::span<TraceSink* const> sinks)
-      : width_(static_cast<std::uint64_t>(configuration.width)),
-        window_(window),
-        frame_(configuration.sample_grid()),
+  WindowRun(const Configuration& configuration, const Kernel& kernel, const Source& source,
+            const TraceWindow& window, std::span<TraceSink* const> sinks)
+      : window_(window),
+        output_(kernel.open(configuration.arguments, source)),
         gate_(window, sinks),
         execution_(kernel.start(
-            {configuration.width, Mode::kTracing, configuration.options, frame_, &gate_})) {}
+            {configuration.width, Mode::kTracing, configuration.arguments, *output_, &gate_})) {}
 
-  bool finished() const { return batches_ >= window_.end_batch; }
-  /// Batches passed so far.
-  std::uint64_t batches() const { return batches_; }
+  bool finished() const { return gate_.batches() >= window_.end_batch; }
+  std::uint64_t batches() const { return gate_.batches(); }
 
-  void take(const Packet& packet) {
+  void take(const Work& piece) {
     if (finished()) return;
-    const std::uint64_t first = batches_;
-    batches_ += (static_cast<std::uint64_t>(packet.size()) + width_ - 1) / width_;
-    if (batches_ <= window_.first_batch) return;
-    gate_.begin_packet(first);
-    execution_->rasterize(packet);
+    gate_.begin_piece();
+    execution_->run(piece);
   }
 
  private:
-  std::uint64_t width_;
   const TraceWindow& window_;
-  Frame frame_;
+  std::unique_ptr<Output> output_;
   Gate gate_;
   std::unique_ptr<Execution> execution_;
-  std::uint64_t batches_ = 0;
 };
 
 const Kernel& traced_kernel(const Configuration& configuration) {
@@ -84,16 +75,19 @@ const Kernel& traced_kernel(const Configuration& configuration) {
   return kernel;
 }
 
-void require_inside(const Region& region, const TessellationOptions& options) {
-  if (region.x_px + region.width_px > options.width_px ||
-      region.y_px + region.height_px > options.height_px)
-    throw InputError("--region", "{},{},{}x{} is not inside the frame, which is {}x{}", region.x_px,
-                     region.y_px, region.width_px, region.height_px, options.width_px,
-                     options.height_px);
+/// Null if the whole scene is traced.
+std::unique_ptr<RegionFilter> region_filter(const Configuration& configuration,
+                                            const TraceWindow& window) {
+  if (!window.region) return nullptr;
+  const Workload& workload = workload_of(configuration);
+  if (!workload.filter)
+    throw InputError("--region", "{} have no regions; leave it out", workload.name);
+  return workload.filter(*window.region, configuration.arguments);
 }
 
-void require_complete(const WindowRun& run, const TraceWindow& window) {
-  if (window.region && run.batches() == 0) throw InputError("--region", "no micropolygon meets it");
+void require_complete(const WindowRun& run, const Kernel& kernel, const TraceWindow& window) {
+  if (window.region && run.batches() == 0)
+    throw InputError("--region", "no {} meets it", kernel.element.name);
   if (window.end_batch != TraceWindow::kToTheEnd && !run.finished())
     throw InputError("--batches", "{}:{} reaches beyond the last batch; the {} has {} batches",
                      window.first_batch, window.end_batch, window.region ? "region" : "scene",
@@ -105,29 +99,26 @@ void require_complete(const WindowRun& run, const TraceWindow& window) {
 void trace(const Configuration& configuration, const TraceWindow& window,
            std::span<TraceSink* const> sinks, const std::function<void(double)>& progress) {
   const Kernel& kernel = traced_kernel(configuration);
-  if (window.region) require_inside(*window.region, configuration.tessellation);
-  const Scene scene = build_scene(configuration);
-  const TessellationOptions options = configuration.tessellation_options();
-  const Tessellator tessellator(scene, options);
+  const std::unique_ptr<RegionFilter> filter = region_filter(configuration, window);
+  const std::unique_ptr<Source> source = open_source(configuration);
   for (TraceSink* sink : sinks) sink->begin(configuration, kernel);
 
-  WindowRun run(configuration, kernel, window, sinks);
-  const auto take = [&](const Packet& packet) {
-    run.take(packet);
+  WindowRun run(configuration, kernel, *source, window, sinks);
+  const WorkSink take = [&](const Work& piece) {
+    run.take(piece);
     if (window.end_batch != TraceWindow::kToTheEnd)
       progress(std::min(
           1.0, static_cast<double>(run.batches()) / static_cast<double>(window.end_batch)));
   };
-  std::optional<RegionFilter> filter;
-  if (window.region) filter.emplace(*window.region, options.samples_per_axis, take);
-  for (int segment = 0; segment < tessellator.segment_count() && !run.finished(); ++segment) {
-    tessellator.tessellate(
-        segment, [&](const Packet& packet) { filter ? filter->take(packet) : take(packet); });
+  const WorkSink chosen =
+      filter ? WorkSink([&](const Work& piece) { filter->take(piece, take); }) : take;
+  for (int segment = 0; segment < source->segment_count() && !run.finished(); ++segment) {
+    source->produce(segment, chosen);
     if (window.end_batch == TraceWindow::kToTheEnd)
-      progress(static_cast<double>(segment + 1) / tessellator.segment_count());
+      progress(static_cast<double>(segment + 1) / source->segment_count());
   }
-  if (filter) filter->flush();
-  require_complete(run, window);
+  if (filter) filter->flush(take);
+  require_complete(run, kernel, window);
   for (TraceSink* sink : sinks) sink->end();
 }
 

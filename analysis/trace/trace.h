@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every instruction of a window of a scene, shown to sinks: a kernel runs in tracing mode on the
-// packets that reach into the window, and on no others.
+// Every instruction of a window of a scene, shown to sinks: a kernel runs in tracing mode, and what
+// it does outside the window is not looked at.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 #include <span>
 
 #include "analysis/configuration/configuration.h"
-#include "analysis/trace/region_filter.h"
 #include "simulator/observer.h"
 
 namespace lanescope {
 
-/// What is traced. Batches of W micropolygons are counted from 0 in the order of the tessellator,
-/// over the whole scene or, if there is a region, over the micropolygons that meet it. A batch
-/// begins where the kernel takes it, and ends where the kernel takes the next or has drained.
+/// What is traced. Batches are what the kernel takes at a time, up to W elements of work; they are
+/// counted from 0 in the order of the source, over the whole scene or, if there is a region, over
+/// the elements that meet it. A batch begins where the kernel takes it, and ends where the kernel
+/// takes the next or has finished the piece of work.
 struct TraceWindow {
   static constexpr std::uint64_t kToTheEnd = std::numeric_limits<std::uint64_t>::max();
 
@@ -41,8 +41,8 @@ class TraceSink {
 /// Runs the configuration's kernel on the window and shows it to the sinks. `progress` is called
 /// with the finished share of the work, from 0 to 1.
 /// Throws InputError for what the configuration names and does not exist, a kernel that issues no
-/// instructions, and a window that does not lie in the frame and the scene. Requires that the
-/// window holds a batch.
+/// instructions, a region if its kind of work has none, and a window that does not lie in the
+/// picture and the scene. Requires that the window holds a batch.
 void trace(const Configuration& configuration, const TraceWindow& window,
            std::span<TraceSink* const> sinks, const std::function<void(double)>& progress);
 

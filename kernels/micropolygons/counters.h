@@ -52,6 +52,9 @@ inline constexpr std::array<CounterInfo, kRasterizerCounterCount> kRasterizerCou
      Merge::kMaximum},
 }};
 
+/// What the instructions of a rasterizer are divided by.
+inline constexpr Element kMicropolygon{"micropolygons_rasterized", "micropolygon", "mp"};
+
 inline constexpr std::array<MetricInfo, 4> kRasterizerMetrics{{
     {"sample_test_efficiency", "hits per test (STE)", "hits", "tests"},
     {"conflicts_per_invocation", "Process invocations with a conflict", "conflict_invocations",

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The frame that kernels write: one depth and colour a sample.
+// The frame that the rasterizers write: one depth and colour a sample.
 #pragma once
 
 #include <atomic>
 #include <bit>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
+#include "kernels/output.h"
+#include "simulator/base/random.h"
 #include "simulator/host.h"
 #include "workloads/micropolygons/sample_grid.h"
 
@@ -16,12 +20,15 @@ namespace lanescope {
 /// integers do), colour in the lower half as 0xAABBGGRR. The nearest fragment has the smallest
 /// word, so depth test and write are one minimum, and the frame does not depend on the order of
 /// hits: any kernel, width and number of threads gives the same bits, even where depths tie.
-class Frame {
+class Frame final : public Output {
  public:
   static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
 
-  explicit Frame(const SampleGrid& grid)
-      : grid_(grid), samples_(static_cast<std::size_t>(grid.sample_count()), kEmpty) {}
+  /// `background` is shown where nothing covers a sample.
+  explicit Frame(const SampleGrid& grid, Colour background = {})
+      : grid_(grid),
+        background_(background),
+        samples_(static_cast<std::size_t>(grid.sample_count()), kEmpty) {}
 
   const SampleGrid& grid() const { return grid_; }
   const std::vector<std::uint64_t>& samples() const { return samples_; }
@@ -40,15 +47,39 @@ class Frame {
   }
 
   /// A hash of every sample.
-  std::uint64_t hash() const;
+  std::uint64_t hash() const override;
 
   /// Samples that some fragment covers.
   std::uint64_t covered() const;
 
+  /// In the order of kFrameCounters.
+  std::vector<std::uint64_t> counters() const override { return {covered()}; }
+
+  /// Averages the samples of each pixel (a box filter). Colours are averaged as light, which is the
+  /// square of the displayed value.
+  std::optional<Raster> picture() const override;
+
+  /// In the same memory if the frame has as many samples.
+  bool reopen(const Arguments& arguments, const Source& source) override;
+
  private:
   SampleGrid grid_;
+  Colour background_;
   std::vector<std::uint64_t> samples_;
 };
+
+inline constexpr std::array<CounterInfo, 1> kFrameCounters{
+    {{"samples_covered", "samples of the frame that some fragment covers", "samples"}}};
+
+/// Opens a frame: Kernel::open of the rasterizers. The source is a SceneSource.
+std::unique_ptr<Output> open_frame(const Arguments& arguments, const Source& source);
+/// Kernel::output_bytes of the rasterizers.
+std::uint64_t frame_bytes(const Arguments& arguments);
+
+/// The contribution of one hit to KernelResult::results_hash.
+inline std::uint64_t hit_hash(std::uint64_t micropolygon_id, std::uint32_t sample) {
+  return mix64(micropolygon_id * 0xd6e8feb86659fd93u ^ sample);
+}
 
 /// A colour channel in [0, 1] as 0 ... 255, clamped and rounded; not-a-number is 0. For a scalar or
 /// a chunk of lanes.

@@ -101,8 +101,9 @@ struct FrameMerge {
   LANESCOPE_INLINE static void apply(Mask<L> active, Hits<Sink> hits,
                                      const Vec<std::int32_t, L>& sample, const Vec<float, L>& depth,
                                      const Channels&... channels) {
-    hits.sink.take(active, [&](std::size_t i) { return hits.first_id + i; }, sample, depth,
-                   packed<L>(channels...));
+    hits.sink.take(
+        active, [&](std::size_t i) { return hits.first_id + i; }, sample, depth,
+        packed<L>(channels...));
   }
   template <int L, class Sink, class... Channels>
   LANESCOPE_INLINE static void apply(Mask<L> active, Hits<Sink> hits,
@@ -121,8 +122,7 @@ struct FrameMerge {
                     const Vec<float, L>&, const Shades&...) {
     const auto& samples = hits.sink.frame().samples();
     const auto frame = read_only(samples.data(), samples.size(), "frame");
-    for_each_lane(active,
-                  [&](int i) { f(i, frame, std::int64_t{sample[i]}, Access::kUpdate); });
+    for_each_lane(active, [&](int i) { f(i, frame, std::int64_t{sample[i]}, Access::kUpdate); });
   }
   template <int L, class F, class Sink, class... Shades>
   static void touch(Mask<L> active, F&& f, Hits<Sink> hits, const Vec<std::int32_t, L>&,

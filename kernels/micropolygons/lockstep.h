@@ -55,7 +55,7 @@ class Lockstep {
         }
         if (coverage.any_on_edge) [[unlikely]]
           add_owned_samples<Vm, P>(ruling, coverage, batch.positions, values);
-        if (coverage.any_inside) 
+        if (coverage.any_inside)
           process(processing, coverage.inside, hits, bounded, values, sample);
         active = unfinished;
       }

@@ -9,11 +9,13 @@
 #include "kernels/micropolygons/counters.h"
 #include "kernels/micropolygons/fill_rule.h"
 #include "kernels/micropolygons/frame.h"
+#include "kernels/micropolygons/options.h"
+#include "kernels/micropolygons/sample_views.h"
+#include "workloads/micropolygons/micropolygon.h"
+#include "workloads/micropolygons/workload.h"
 
 namespace lanescope {
 namespace {
-
-constexpr int kWidths[] = {1};
 
 struct Corner {
   float x, y, z, red, green, blue, alpha;
@@ -25,14 +27,14 @@ float max(float a, float b) { return a > b ? a : b; }
 
 class Rastmp final : public Execution {
  public:
-  Rastmp(const KernelOptions& options, Frame& frame, SampleObserver* observer)
-      : options_(options),
-        frame_(frame),
-        grid_(frame.grid()),
-        observer_(observer),
-        n_(corner_count(options.shape)) {}
+  /// Without a frame, hits are only shown to the observer.
+  Rastmp(const KernelOptions& options, const SampleGrid& grid, Frame* frame,
+         SampleObserver* observer)
+      : options_(options), grid_(grid), frame_(frame), observer_(observer) {}
 
-  void rasterize(const Packet& packet) override {
+  void run(const Work& work) override {
+    const auto& packet = static_cast<const Packet&>(work);
+    n_ = corner_count(packet.shape());
     for (int i = 0; i < packet.size(); ++i) {
       for (int k = 0; k < n_; ++k) corners_[k] = corner(packet, k, i);
       rasterize_one(packet.first_id + static_cast<std::uint64_t>(i));
@@ -43,7 +45,7 @@ class Rastmp final : public Execution {
     KernelResult result;
     result.counts = Counts(1, 0);
     result.counters.assign(counts_.begin(), counts_.begin() + kHits + 1);
-    result.hits_hash = hits_hash_;
+    result.results_hash = hits_hash_;
     return result;
   }
 
@@ -179,15 +181,15 @@ class Rastmp final : public Execution {
     const auto colour = static_cast<std::uint32_t>(pack_channels(
         blend(&Corner::red), blend(&Corner::green), blend(&Corner::blue), blend(&Corner::alpha)));
     const float depth = blend(&Corner::z);
-    frame_.merge(sample, depth, colour);
+    if (frame_) frame_->merge(sample, depth, colour);
     if (observer_) observer_->hit(id, sample, depth, colour);
   }
 
   KernelOptions options_;
-  Frame& frame_;
-  const SampleGrid& grid_;
+  SampleGrid grid_;
+  Frame* frame_;
   SampleObserver* observer_;
-  int n_;
+  int n_ = 0;
   Corner corners_[4]{};
   float area_ = 0.0f;
   float inverse_area_ = 0.0f;
@@ -196,27 +198,33 @@ class Rastmp final : public Execution {
 };
 
 std::unique_ptr<Execution> start(const Launch& launch) {
-  return std::make_unique<Rastmp>(launch.options, launch.frame, nullptr);
+  auto& frame = static_cast<Frame&>(launch.output);
+  return std::make_unique<Rastmp>(kernel_options(launch.arguments), frame.grid(), &frame, nullptr);
 }
 
 }  // namespace
 
-std::unique_ptr<Execution> start_observed_rastmp(const KernelOptions& options, Frame& frame,
+std::unique_ptr<Execution> start_observed_rastmp(const Arguments& arguments,
                                                  SampleObserver& observer) {
-  return std::make_unique<Rastmp>(options, frame, &observer);
+  return std::make_unique<Rastmp>(kernel_options(arguments), sample_grid(arguments), nullptr,
+                                  &observer);
 }
 
 extern const Kernel k_rastmp;
 const Kernel k_rastmp{
     .name = "rastmp",
     .summary = "the scalar reference: one micropolygon and one sample at a time",
-    .stages = {},
+    .workload = &w_micropolygons,
+    .is_oracle = true,
+    .parameters = joined(raster_parameters(), sampling_parameters()),
     .counters = std::span(kRasterizerCounters).first<kHits + 1>(),
     .metrics = std::span(kRasterizerMetrics).first<1>(),
-    .series = {},
-    .instructions = {},
-    .widths = kWidths,
+    .output_counters = kFrameCounters,
+    .element = kMicropolygon,
+    .open = open_frame,
+    .output_bytes = frame_bytes,
     .start = start,
+    .views = kSampleViews,
 };
 
 }  // namespace lanescope

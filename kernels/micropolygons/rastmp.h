@@ -21,8 +21,8 @@ class SampleObserver {
                    std::uint32_t /*colour*/) {}
 };
 
-/// Starts the reference; the frame and the observer must outlive the execution.
-std::unique_ptr<Execution> start_observed_rastmp(const KernelOptions& options, Frame& frame,
+/// Starts the reference without a frame; the observer must outlive the execution.
+std::unique_ptr<Execution> start_observed_rastmp(const Arguments& arguments,
                                                  SampleObserver& observer);
 
 }  // namespace lanescope

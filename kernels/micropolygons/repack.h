@@ -31,9 +31,9 @@ class Repack {
         cells_(options.frame->grid()),
         counts_(counts),
         sink_(sink),
-        least_free_to_load_(std::max(
-            1, static_cast<int>(std::ceil(options.kernel.stream_load_threshold *
-                                                          static_cast<float>(vm.width()))))) {}
+        least_free_to_load_(
+            std::max(1, static_cast<int>(std::ceil(options.kernel.stream_load_threshold *
+                                                   static_cast<float>(vm.width()))))) {}
 
   std::vector<std::vector<std::uint64_t>> series() const { return working_set_.series(); }
 
@@ -239,7 +239,8 @@ class Repack {
         return gather(on, packet.shade(k, i), micropolygon);
       });
     });
-    frame_merge(on, Hits{sink_, first_id}, micropolygon, sample, shade[0], shade[1], shade[2], shade[3], shade[4]);
+    frame_merge(on, Hits{sink_, first_id}, micropolygon, sample, shade[0], shade[1], shade[2],
+                shade[3], shade[4]);
   }
 
   template <class On>
@@ -345,7 +346,7 @@ class Repack {
   Cells cells_;
   RasterizerCounts& counts_;
   HitSink<Vm::kCounted>& sink_;
-  int least_free_to_load_;  ///< Lanes.
+  int least_free_to_load_;                                           ///< Lanes.
   std::size_t entries_ = 2 * static_cast<std::size_t>(vm_.width());  ///< Of either buffer.
   BoxQueue queue_{entries_, vm_.checks()};
   int queued_ = 0;  ///< Entries of queue_.

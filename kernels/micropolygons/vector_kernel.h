@@ -5,6 +5,8 @@
 
 #include <memory>
 
+#include "kernels/kernel.h"
+#include "kernels/micropolygons/options.h"
 #include "kernels/micropolygons/setup.h"
 
 namespace lanescope {
@@ -32,13 +34,14 @@ Vm make_machine(const Launch& launch, std::size_t stage_count) {
 template <template <class, Micropolygon, Edges> class Program, class Vm, Micropolygon P, Edges E>
 class ProgramExecution final : public Execution {
  public:
-  explicit ProgramExecution(const Launch& launch)
-      : options_(launch.options),
+  ProgramExecution(const Launch& launch, const KernelOptions& options)
+      : options_(options),
         vm_(make_machine<Vm>(launch, Program<Vm, P, E>::kStageCount)),
-        sink_(launch.frame, counts_),
-        program_(vm_, {launch.options, &launch.frame}, counts_, sink_) {}
+        sink_(static_cast<Frame&>(launch.output), counts_),
+        program_(vm_, {options, &static_cast<Frame&>(launch.output)}, counts_, sink_) {}
 
-  void rasterize(const Packet& packet) override {
+  void run(const Work& work) override {
+    const auto& packet = static_cast<const Packet&>(work);
     if (options_.cull_backfaces) {
       program_.rasterize(PacketMemory<P>(packet), packet.size(), packet.first_id);
       return;
@@ -50,10 +53,10 @@ class ProgramExecution final : public Execution {
 
   KernelResult result() const override {
     KernelResult result;
-    result.counts = vm_.counts();
+    if constexpr (Vm::kCounted) result.counts = vm_.counts();
     result.counters.assign(counts_.begin(), counts_.begin() + Program<Vm, P, E>::kCounterCount);
     if constexpr (requires { program_.series(); }) result.series = program_.series();
-    result.hits_hash = sink_.hits_hash();
+    result.results_hash = sink_.hits_hash();
     return result;
   }
 
@@ -70,12 +73,13 @@ class ProgramExecution final : public Execution {
 /// Starts a program on a machine of this kind.
 template <template <class, Micropolygon, Edges> class Program, class Vm>
 std::unique_ptr<Execution> start_on(const Launch& launch) {
+  const KernelOptions options = kernel_options(launch.arguments);
   const auto with_edges = [&]<Micropolygon P>() -> std::unique_ptr<Execution> {
-    if (launch.options.edges == Edges::kInline)
-      return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kInline>>(launch);
-    return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kPrecomputed>>(launch);
+    if (options.edges == Edges::kInline)
+      return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kInline>>(launch, options);
+    return std::make_unique<ProgramExecution<Program, Vm, P, Edges::kPrecomputed>>(launch, options);
   };
-  return launch.options.shape == Micropolygon::kTriangle
+  return shape_of(launch.arguments) == Micropolygon::kTriangle
              ? with_edges.template operator()<Micropolygon::kTriangle>()
              : with_edges.template operator()<Micropolygon::kQuad>();
 }
@@ -83,9 +87,8 @@ std::unique_ptr<Execution> start_on(const Launch& launch) {
 /// Starts a program in one of the fast modes, on L lanes. Requires launch.width <= L.
 template <template <class, Micropolygon, Edges> class Program, int L>
 std::unique_ptr<Execution> start_fast(const Launch& launch) {
-  return launch.mode == Mode::kCounting
-             ? start_on<Program, Machine<L, Mode::kCounting>>(launch)
-             : start_on<Program, Machine<L, Mode::kUncounted>>(launch);
+  return launch.mode == Mode::kCounting ? start_on<Program, Machine<L, Mode::kCounting>>(launch)
+                                        : start_on<Program, Machine<L, Mode::kUncounted>>(launch);
 }
 
 /// Starts a program in one of the slow modes, on L lanes. Requires launch.width <= L.

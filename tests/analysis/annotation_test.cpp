@@ -4,16 +4,18 @@
 #include <gtest/gtest.h>
 
 #include "analysis/annotation/sources.h"
+#include "tests/analysis/configured.h"
 
 namespace lanescope {
 namespace {
 
 RunRecord run_of(const char* scene, int width, std::vector<SourceLineRecord> lines) {
   RunRecord run;
-  run.configuration.kernel = "repack";
+  run.configuration =
+      testing::configured({{"kernel", "repack"}, {"width_lanes", static_cast<unsigned>(width)}});
   run.configuration.scene = scene;
-  run.configuration.width = width;
-  run.observation = {32, 2};
+  run.source.pieces = 32;
+  run.source.pieces_observed = 2;
   run.source_lines = std::move(lines);
   return run;
 }
@@ -24,8 +26,10 @@ Report two_scenes() {
                                {{"kernels/micropolygons/stages.h", 60, "Setup", 10, 80, 0},
                                 {"kernels/micropolygons/stages.h", 60, "Bound", 10, 40, 5},
                                 {"kernels/micropolygons/stages.h", 61, "Test", 30, 60, 0}}));
-  report.runs.push_back(run_of("other", 8, {{"kernels/micropolygons/stages.h", 60, "Setup", 50, 400, 0}}));
-  report.runs.push_back(run_of("one", 16, {{"kernels/micropolygons/stages.h", 61, "Test", 1, 16, 0}}));
+  report.runs.push_back(
+      run_of("other", 8, {{"kernels/micropolygons/stages.h", 60, "Setup", 50, 400, 0}}));
+  report.runs.push_back(
+      run_of("one", 16, {{"kernels/micropolygons/stages.h", 61, "Test", 1, 16, 0}}));
   report.runs.push_back(run_of("unobserved", 32, {}));
   return report;
 }
@@ -35,8 +39,9 @@ TEST(Annotate, SumsScenesAndStagesOfALineHottestFirst) {
   ASSERT_EQ(annotations.size(), 2u);
   const Annotation& a = annotations.front();
   EXPECT_EQ(a.width, 8);
+  EXPECT_EQ(a.title(), "repack, W = 8, triangle: one, other");
   EXPECT_EQ(a.scenes, (std::vector<std::string>{"one", "other"}));
-  EXPECT_EQ(a.observation.packets, 64u);
+  EXPECT_EQ(a.pieces, 64u);
   EXPECT_EQ(a.issued, 100u);
   ASSERT_EQ(a.lines.size(), 2u);
   EXPECT_EQ(a.lines[0].line, 60u);
@@ -49,6 +54,15 @@ TEST(Annotate, SumsScenesAndStagesOfALineHottestFirst) {
   EXPECT_EQ(annotations[1].width, 16);
 }
 
+TEST(Annotate, KeepsFacetsApart) {
+  Report report = two_scenes();
+  set_value(report.runs[1].configuration, "micropolygon", std::string("quad"));
+  const auto annotations = annotate(report);
+  ASSERT_EQ(annotations.size(), 3u);
+  EXPECT_EQ(annotations[0].title(), "repack, W = 8, triangle: one");
+  EXPECT_EQ(annotations[1].title(), "repack, W = 8, quad: other");
+}
+
 TEST(Annotate, ShowsTheTextOfTheLine) {
   const Annotation a = annotate(two_scenes()).front();
   const TableData table = hottest_lines(a, 1);
@@ -58,6 +72,7 @@ TEST(Annotate, ShowsTheTextOfTheLine) {
   EXPECT_NE(source, "");
   EXPECT_NE(source.find(table.rows[0].cells.back().words), source.npos);
   EXPECT_EQ(hottest_lines(a, 10).rows.size(), 2u);
+  EXPECT_EQ(table.caption, "4 of 64 pieces of work");
 }
 
 TEST(Annotate, PutsTheFiguresInTheMarginOfTheSource) {

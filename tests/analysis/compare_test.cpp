@@ -63,7 +63,7 @@ TEST_F(Compare, AChangedCounterChangesItselfAndItsMetrics) {
   EXPECT_FALSE(comparison.same());
   ASSERT_EQ(comparison.runs.size(), 1u);
   const RunChanges& run = comparison.runs[0];
-  EXPECT_EQ(run.run, "kernel=lockstep width_lanes=8 micropolygon=triangle scene=first");
+  EXPECT_EQ(run.run, "kernel=lockstep width_lanes=8 scene=ballroll micropolygon=triangle");
   ASSERT_EQ(run.changes.size(), 2u);
   const Change* changed = find(run, "", "tests");
   ASSERT_TRUE(changed);
@@ -77,8 +77,8 @@ TEST_F(Compare, AChangedCounterChangesItselfAndItsMetrics) {
   EXPECT_NEAR(*metric->relative, -1.0 / 11.0, 1e-12);
   EXPECT_EQ(document(comparison).text(false),
             "12 runs compared: 1 differ, 0 only in a.json, 0 only in b.json; largest change +10% "
-            "(tests of kernel=lockstep width_lanes=8 micropolygon=triangle scene=first)\n\n"
-            "kernel=lockstep width_lanes=8 micropolygon=triangle scene=first\n"
+            "(tests of kernel=lockstep width_lanes=8 scene=ballroll micropolygon=triangle)\n\n"
+            "kernel=lockstep width_lanes=8 scene=ballroll micropolygon=triangle\n"
             "  Figure     old     new   change  relative\n"
             "  tests      200     220      +20      +10%\n"
             "  ste     0.2000  0.1818  -0.0182    -9.09%\n");
@@ -94,7 +94,7 @@ TEST_F(Compare, AChangedInstructionChangesItsStageAndTheWhole) {
   EXPECT_EQ(*find(run, "All stages", "issued")->difference, 15.0);
   EXPECT_EQ(find(run, "Test", "utilization")->before, 0.75);
   EXPECT_EQ(find(run, "Test", "utilization")->after, 0.6);
-  EXPECT_EQ(*find(run, "Test", "issued_per_micropolygon")->difference, 0.75);
+  EXPECT_EQ(*find(run, "Test", "issued_per_element")->difference, 0.75);
   EXPECT_TRUE(find(run, "Test", "add issued")->is_detail);
   EXPECT_FALSE(find(run, "Test", "active"));
   EXPECT_TRUE(run.changes.back().is_detail);
@@ -126,6 +126,34 @@ TEST_F(Compare, MemoryAndSeriesAreCompared) {
   EXPECT_EQ(find(comparison.runs[1], "", "box_candidates")->relative, 0.25);
 }
 
+TEST_F(Compare, CountersOfSourceAndOutputAreCompared) {
+  after.report.runs[0].source.counters[3].value = 8;
+  after.report.runs[0].source.pieces = 6;
+  after.report.runs[1].output.counters[0].value = 5;
+  const Comparison comparison = result();
+  ASSERT_EQ(comparison.runs.size(), 2u);
+  EXPECT_EQ(comparison.runs[0].changes.size(), 2u);
+  EXPECT_EQ(find(comparison.runs[0], "Source", "grids")->relative, 1.0);
+  EXPECT_EQ(find(comparison.runs[0], "Source", "pieces")->relative, 1.0);
+  EXPECT_EQ(comparison.runs[1].changes.size(), 1u);
+  EXPECT_EQ(find(comparison.runs[1], "Output", "samples_covered")->relative, -0.5);
+}
+
+TEST_F(Compare, FiguresOfOneNameAreComparedEachWithItsOwn) {
+  for (Report* report : {&before.report, &after.report}) {
+    report->runs[0].series[0].name = "tests";
+    report->runs[0].metrics.push_back(
+        {"hits", "a ratio of the name of a counter", "hits", "tests"});
+  }
+  EXPECT_TRUE(result().same());
+  after.report.runs[0].series[0].values[1] = 4;
+  const Comparison comparison = result();
+  ASSERT_EQ(comparison.runs.size(), 1u);
+  ASSERT_EQ(comparison.runs[0].changes.size(), 1u);
+  EXPECT_EQ(comparison.runs[0].changes[0].before, 4);
+  EXPECT_EQ(comparison.runs[0].changes[0].after, 5);
+}
+
 TEST_F(Compare, TheToleranceIncludesItself) {
   tests() = 202;
   options.tolerance = 0.01;
@@ -152,9 +180,9 @@ TEST_F(Compare, NothingIsWithinAToleranceOfNothing) {
 }
 
 TEST_F(Compare, HashesFailUnlessDifferencesAreTolerated) {
-  after.report.runs[3].frame_hash = 1;
+  after.report.runs[3].output.hash = 1;
   EXPECT_FALSE(result().same());
-  EXPECT_EQ(result().runs[0].changes[0].figure, "frame_hash");
+  EXPECT_EQ(result().runs[0].changes[0].figure, "output_hash");
   EXPECT_NE(document(result()).text(false).find("differs\n"), std::string::npos);
   options.tolerance = 1e-6;
   EXPECT_TRUE(result().same());
@@ -174,30 +202,79 @@ TEST_F(Compare, FiguresOfOneReportOnlyAreDifferences) {
 
 TEST_F(Compare, RunsOfOneReportOnlyAreNamed) {
   after.report.runs.erase(after.report.runs.begin());
-  after.report.runs[0].configuration.seed = 5;
+  set_value(after.report.runs[0].configuration, "seed", std::uint64_t{5});
   const Comparison comparison = result();
   EXPECT_FALSE(comparison.same());
   EXPECT_EQ(comparison.compared, 10u);
   ASSERT_EQ(comparison.only_before.size(), 2u);
   ASSERT_EQ(comparison.only_after.size(), 1u);
   EXPECT_EQ(comparison.only_after[0].run,
-            "kernel=repack width_lanes=8 micropolygon=triangle scene=first seed=5");
+            "kernel=repack width_lanes=8 scene=ballroll micropolygon=triangle seed=5");
   EXPECT_NE(document(comparison).text(false).find("\nOnly in b.json:\n  kernel=repack"),
             std::string::npos);
 }
 
 TEST_F(Compare, IgnoredParametersMayDiffer) {
-  for (RunRecord& run : after.report.runs) run.configuration.seed = 5;
+  for (RunRecord& run : after.report.runs) set_value(run.configuration, "seed", std::uint64_t{5});
   EXPECT_EQ(result().compared, 0u);
   options.ignored = {"seed"};
   EXPECT_EQ(result().compared, 12u);
   EXPECT_TRUE(result().same());
 }
 
-TEST_F(Compare, WhatIsObservedIsLeftOutIfOtherPacketsWere) {
+TEST_F(Compare, RunsMatchWhateverTheOrderOfTheirParameters) {
+  for (RunRecord& run : after.report.runs) {
+    Arguments reversed;
+    const auto& all = run.configuration.arguments.all();
+    for (auto argument = all.rbegin(); argument != all.rend(); ++argument)
+      reversed.set(argument->name, argument->value);
+    run.configuration.arguments = reversed;
+  }
+  EXPECT_EQ(result().compared, 12u);
+  EXPECT_TRUE(result().same());
+}
+
+/// LOCKSTEP has no stream_load_threshold.
+TEST_F(Compare, KernelsAreComparedByWhatBothTake) {
+  std::erase_if(before.report.runs,
+                [](const RunRecord& run) { return run.configuration.kernel != "lockstep"; });
+  std::erase_if(after.report.runs,
+                [](const RunRecord& run) { return run.configuration.kernel != "repack"; });
+  EXPECT_EQ(result().compared, 0u);
+  options.ignored = {"kernel"};
+  const Comparison comparison = result();
+  EXPECT_EQ(comparison.compared, 6u);
+  EXPECT_TRUE(comparison.only_before.empty());
+  EXPECT_TRUE(comparison.only_after.empty());
+}
+
+std::string complaint(const NamedReport& before, const NamedReport& after,
+                      const CompareOptions& options) {
+  try {
+    compare(before, after, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(Compare, AParameterOfNoRunCannotBeIgnored) {
+  options.ignored = {"seeds"};
+  const std::string text = complaint(before, after, options);
+  EXPECT_EQ(text.rfind("--ignore: 'seeds' is not a parameter of a run in a.json or b.json; use "
+                       "kernel, width_lanes, scene, ",
+                       0),
+            0u)
+      << text;
+  EXPECT_NE(text.find("; did you mean 'seed'?"), std::string::npos) << text;
+  after.report.runs[5].configuration.arguments.set("seeds", std::uint64_t{1});
+  EXPECT_EQ(complaint(before, after, options), "") << "one of the reports has it";
+}
+
+TEST_F(Compare, WhatIsObservedIsLeftOutIfOtherPiecesWere) {
   for (RunRecord& run : after.report.runs) {
     run.configuration.observe_every = 0;
-    run.observation.packets_observed = 0;
+    run.source.pieces_observed = 0;
     for (StageRecord& stage : run.stages) stage.memory.clear();
   }
   options.ignored = {"observe_every"};
@@ -212,7 +289,7 @@ TEST_F(Compare, RunsThatCannotBeToldApartAreRefused) {
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
                  "a.json: two runs have the same parameters but for those ignored: width_lanes=8 "
-                 "micropolygon=triangle scene=first");
+                 "scene=ballroll micropolygon=triangle");
   }
 }
 
@@ -236,7 +313,7 @@ TEST_F(Compare, LongListsAreCut) {
 TEST_F(Compare, MarkdownHasTables) {
   tests() = 220;
   EXPECT_NE(document(result()).text(true).find(
-                "### kernel=lockstep width_lanes=8 micropolygon=triangle scene=first\n\n"
+                "### kernel=lockstep width_lanes=8 scene=ballroll micropolygon=triangle\n\n"
                 "| Figure | old | new | change | relative |\n"
                 "| --- | ---: | ---: | ---: | ---: |\n"
                 "| tests | 200 | 220 | +20 | +10% |\n"),
@@ -251,7 +328,7 @@ TEST_F(Compare, JsonHasEveryChange) {
   EXPECT_EQ(json["runs_compared"], 11);
   EXPECT_EQ(json["only_in_old"][0]["kernel"], "repack");
   EXPECT_EQ(json["old"]["report"], "a.json");
-  EXPECT_EQ(json["runs"][0]["parameters"]["scene"], "first");
+  EXPECT_EQ(json["runs"][0]["parameters"]["scene"], "ballroll");
   ASSERT_EQ(json["runs"][0]["changes"].size(), 2u);
   EXPECT_EQ(json["runs"][0]["changes"][0].dump(),
             R"({"stage":null,"figure":"tests","old":200,"new":220,"difference":20.0,)"

@@ -57,7 +57,7 @@ TEST(Formats, Markdown) {
 
 TEST(Formats, Csv) {
   EXPECT_EQ(written("csv"),
-            "table,scenes,group,row,column,quantity,unit,ours,thesis,difference,words\n"
+            "table,scenes,group,row,column,quantity,unit,ours,paper,difference,words\n"
             "sample,\"mean of a, b\",Heading_1,Test,W = 8,figure,fraction,0.834,0.83,"
             "0.0040000000000000036,\n"
             "sample,\"mean of a, b\",Heading_1,Test,W = 8,share,fraction,0.666,0.68,"
@@ -87,7 +87,7 @@ TEST(Formats, SeparateTables) {
   EXPECT_EQ(find_format("text").write({sample(), sample()}), one + "\n\n" + one);
 }
 
-TEST(Figures, DifferencesAreOfNumbersRoundedAsTheThesisRounds) {
+TEST(Figures, DifferencesAreOfNumbersRoundedAsThePaperRounds) {
   EXPECT_EQ(shown_difference({0.8351, 0.83, &kPercent}), "+1");
   EXPECT_EQ(shown_difference({0.8349, 0.83, &kPercent}), "+0");
   EXPECT_EQ(shown_difference({0.8249, 0.83, &kPercent}), "-1");
@@ -95,12 +95,12 @@ TEST(Figures, DifferencesAreOfNumbersRoundedAsTheThesisRounds) {
   EXPECT_EQ(shown_difference({68.134, 61.94, &kInstructions}), "+10%");
   EXPECT_EQ(shown_difference({1.24, 1.0, &kFactor}), "+0.2");
   EXPECT_EQ(shown_difference({0.001, 0.01, &kSmallPercent}), "");
-  EXPECT_EQ(shown_thesis({0.001, 0.01, &kSmallPercent}), "<1%");
+  EXPECT_EQ(shown_paper({0.001, 0.01, &kSmallPercent}), "<1%");
 }
 
 TEST(Figures, MissingNumbersShow) {
   EXPECT_EQ(shown(Figure{{}, {}, &kPercent}), "n/a");
-  EXPECT_EQ(shown_thesis({0.5, {}, &kPercent}), "");
+  EXPECT_EQ(shown_paper({0.5, {}, &kPercent}), "");
   EXPECT_EQ(shown_difference({{}, 0.5, &kPercent}), "");
 }
 

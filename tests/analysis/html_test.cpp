@@ -7,7 +7,6 @@
 #include <set>
 
 #include "analysis/base/files.h"
-#include "analysis/html/charts/crossing_point.h"
 #include "analysis/html/groups.h"
 #include "analysis/html/markup.h"
 #include "analysis/html/page.h"
@@ -67,30 +66,11 @@ TEST(HtmlDataFrame, RefusesRowsOfAnotherLength) {
   EXPECT_THROW(frame.add({"Bound", 1}), CheckError);
 }
 
-TEST(HtmlCrossing, InterpolatesOverTheLogarithmOfW) {
-  // Halfway between 8 and 16 on a logarithmic scale is sqrt(8 * 16).
-  EXPECT_NEAR(*crossing_point({{8, 1.25}, {16, 0.75}}), std::sqrt(128.0), 1e-9);
-  // A quarter of two octaves: 8 * 2^0.5.
-  EXPECT_NEAR(*crossing_point({{8, 1.25}, {32, 0.25}}), 8.0 * std::sqrt(2.0), 1e-9);
-  EXPECT_NEAR(*crossing_point({{4, 1.5}, {8, 1.25}, {16, 0.75}}), std::sqrt(128.0), 1e-9);
-}
-
-TEST(HtmlCrossing, FromEitherSideAndAtAWidth) {
-  EXPECT_NEAR(*crossing_point({{8, 0.75}, {16, 1.25}}), std::sqrt(128.0), 1e-9);
-  EXPECT_EQ(crossing_point({{8, 1.5}, {16, 1.0}, {32, 0.5}}), 16.0);
-  EXPECT_EQ(crossing_point({{8, 1.0}}), 8.0);
-}
-
-TEST(HtmlCrossing, IsNoneOnOneSide) {
-  EXPECT_EQ(crossing_point({{8, 1.5}, {16, 1.1}}), std::nullopt);
-  EXPECT_EQ(crossing_point({{8, 0.9}}), std::nullopt);
-  EXPECT_EQ(crossing_point({}), std::nullopt);
-}
-
 /// The sample with all runs at that many samples a pixel.
-Report sample_at(int samples_per_pixel) {
+Report sample_at(std::uint64_t samples_per_pixel) {
   Report report = sample_report();
-  for (RunRecord& run : report.runs) run.configuration.samples_per_pixel = samples_per_pixel;
+  for (RunRecord& run : report.runs)
+    set_value(run.configuration, "samples_per_pixel", samples_per_pixel);
   return report;
 }
 
@@ -114,18 +94,52 @@ TEST(HtmlGroups, AreNamedByWhatVaries) {
 TEST(HtmlGroups, ScenesAtDifferentFramesAreOneSetting) {
   Report report = sample_report();
   for (RunRecord& run : report.runs)
-    if (run.configuration.scene == "second") run.configuration.frame = 7;
+    if (run.configuration.scene == "columnpivot")
+      set_value(run.configuration, "frame", std::uint64_t{7});
   EXPECT_EQ(groups_of({{"a.json", report}}).size(), 1u);
 }
 
 TEST(HtmlGroups, OneSceneAtTwoFramesIsTwoSettings) {
   Report report = sample_report();
   RunRecord later = report.runs.front();
-  later.configuration.frame = 7;
+  set_value(later.configuration, "frame", std::uint64_t{7});
   report.runs.push_back(later);
   const std::vector<Group> groups = groups_of({{"a.json", report}});
   ASSERT_EQ(groups.size(), 2u);
   EXPECT_EQ(groups[1].name, "frame = 7");
+}
+
+/// REPACK at two thresholds of the loading that LOCKSTEP does not do.
+Report at_two_thresholds() {
+  Report report = sample_report();
+  const std::vector<RunRecord> runs = report.runs;
+  for (RunRecord run : runs) {
+    if (run.configuration.kernel != "repack") continue;
+    set_value(run.configuration, "stream_load_threshold", 0.5f);
+    report.runs.push_back(std::move(run));
+  }
+  return report;
+}
+
+TEST(HtmlGroups, ARunIsOfEverySettingOfAParameterThatItsKernelDoesNotTake) {
+  const std::vector<Group> groups = groups_of({{"a.json", at_two_thresholds()}});
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].name, "stream_load_threshold = 0");
+  EXPECT_EQ(groups[1].name, "stream_load_threshold = 0.5");
+  for (const Group& group : groups) EXPECT_EQ(group.report.runs.size(), 12u) << group.name;
+}
+
+TEST(HtmlGroups, KindsOfWorkAreSettings) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs) {
+    if (run.configuration.kernel != "repack") continue;
+    run.configuration.kernel = "unheard-of";
+    run.workload = "others";
+  }
+  const std::vector<Group> groups = groups_of({{"a.json", report}});
+  ASSERT_EQ(groups.size(), 3u);  // An unknown kernel has no facet: its parameter tells runs apart.
+  EXPECT_EQ(groups[0].name, "workload = micropolygons");
+  EXPECT_EQ(groups[1].name, "workload = others, micropolygon = triangle");
 }
 
 TEST(HtmlGroups, TheSameRunInTwoFilesIsAMistake) {
@@ -134,16 +148,21 @@ TEST(HtmlGroups, TheSameRunInTwoFilesIsAMistake) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "b.json: has a run that a.json has, too: lockstep on first, W = 8, triangle; "
-                 "leave out one of the files");
+                 "b.json: has a run that a.json has, too: lockstep on ballroll, W = 8, "
+                 "micropolygon = triangle; leave out one of the files");
   }
+}
+
+/// A view of the two scenes in which every stage was run.
+ReportView two_scenes(const Report& report) {
+  return ReportView(report, scenes_of(report, {"ballroll", "columnpivot"}));
 }
 
 /// The chart of a section of the sample.
 Chart chart_of(const Report& report, std::string_view section_id, std::string_view chart_id) {
   for (const Section* section : sections()) {
     if (section->id != section_id) continue;
-    for (Block& block : section->build(ReportView(report)))
+    for (Block& block : section->build(two_scenes(report)))
       if (Chart* chart = std::get_if<Chart>(&block); chart && chart->id == chart_id) return *chart;
   }
   ADD_FAILURE() << section_id << ' ' << chart_id;
@@ -158,37 +177,21 @@ Json last_of(const Chart& chart, const std::vector<Json>& begin, std::size_t fro
   return {};
 }
 
-TEST(HtmlCharts, UtilizationIsTheMeanOverTheScenesLikeTheThesis) {
+TEST(HtmlCharts, UtilizationIsTheMeanOverTheScenes) {
   const Chart chart = chart_of(sample_report(), "utilization", "lines");
   // 72 / (10 * 8) and 128 / (20 * 8).
-  EXPECT_NEAR(last_of(chart, {"LOCKSTEP", "triangles", 8, "Bound"}).get<double>(), 0.85, 1e-9);
-  // 492 / (100 * 8) and 448 / (100 * 8).
-  EXPECT_NEAR(last_of(chart, {"LOCKSTEP", "triangles", 8, "All but Setup"}).get<double>(), 0.5875,
-              1e-9);
-}
-
-TEST(HtmlCharts, CrossingComparesInstructionsForEachMicropolygon) {
-  const Report report = sample_report();
-  const Chart stages = chart_of(report, "crossing", "stages");
-  // 60 / 20 and 60 / 10.
-  EXPECT_EQ(last_of(stages, {"LOCKSTEP", "triangles", 8, "Test"}), Json(4.5));
-  for (const auto& row : stages.rows.rows()) EXPECT_NE(row[3], Json("Setup"));
-  // LOCKSTEP 100 / 20 and 100 / 10; REPACK 100 / 20 and 80 / 10.
-  EXPECT_NEAR(last_of(chart_of(report, "crossing", "ratio"), {"triangles", 8}).get<double>(),
-              6.5 / 7.5, 1e-5);
-}
-
-TEST(HtmlCharts, QuadsAreRelativeToTheTrianglesOfTheScene) {
-  const Chart chart = chart_of(sample_report(), "quads", "scenes");
-  // 48 of 100.
-  EXPECT_EQ(last_of(chart, {"LOCKSTEP", "quads", 8, "first", "Test"}), Json(0.48));
-  EXPECT_EQ(last_of(chart, {"LOCKSTEP", "triangles", 8, "third", "Test"}), Json(0.5));
+  EXPECT_NEAR(last_of(chart, {"LOCKSTEP", "micropolygon = triangle", 8, "Bound"}).get<double>(),
+              0.85, 1e-9);
+  // 508 / (102 * 8) and 460 / (103 * 8).
+  EXPECT_NEAR(
+      last_of(chart, {"LOCKSTEP", "micropolygon = triangle", 8, "All stages"}).get<double>(),
+      0.5904, 1e-4);
 }
 
 TEST(HtmlCharts, OverheadLeavesOutKernelsThatHaveNone) {
   const Chart chart = chart_of(sample_report(), "overhead", "shares");
-  // 15 / 60 and 10 / 40, beside the 28% of table 4.3.
-  EXPECT_EQ(last_of(chart, {"REPACK", "triangles", 8, "Test"}, 1), Json(0.25));
+  // 15 / 60 and 10 / 40.
+  EXPECT_EQ(last_of(chart, {"REPACK", "micropolygon = triangle", 8, "Test"}), Json(0.25));
   for (const auto& row : chart.rows.rows()) EXPECT_EQ(row[0], Json("REPACK"));
 }
 
@@ -199,21 +202,21 @@ TEST(HtmlCharts, HistogramsAreSharesOfTheStage) {
   stage.histogram = {0, 0, 0, 0, 0, 0, 0, 4, 6};
   stage.lane_active = {10, 10, 9, 9, 9, 9, 8, 8};
   EXPECT_EQ(last_of(chart_of(report, "active-lanes", "panels"),
-                    {"LOCKSTEP", "triangles", 8, "first", "Bound", 8}),
+                    {"LOCKSTEP", "micropolygon = triangle", 8, "ballroll", "Bound", 8}),
             Json(0.6));
   EXPECT_EQ(last_of(chart_of(report, "lanes", "panels"),
-                    {"LOCKSTEP", "triangles", 8, "first", "Bound", 7}),
+                    {"LOCKSTEP", "micropolygon = triangle", 8, "ballroll", "Bound", 7}),
             Json(0.8));
 }
 
 TEST(HtmlCharts, MixGathersByClassAndMnemonic) {
   const Report report = sample_report();
   EXPECT_EQ(last_of(chart_of(report, "mix", "classes"),
-                    {"LOCKSTEP", "triangles", 8, "arithmetic", "Test"}),
+                    {"LOCKSTEP", "micropolygon = triangle", 8, "arithmetic", "Test"}),
             Json(4.5));
-  EXPECT_EQ(
-      last_of(chart_of(report, "mix", "mnemonics"), {"LOCKSTEP", "triangles", 8, "add", "Test"}),
-      Json(4.5));
+  EXPECT_EQ(last_of(chart_of(report, "mix", "mnemonics"),
+                    {"LOCKSTEP", "micropolygon = triangle", 8, "add", "Test"}),
+            Json(4.5));
 }
 
 TEST(HtmlCharts, MemoryIsLinesForEachExecution) {
@@ -222,38 +225,54 @@ TEST(HtmlCharts, MemoryIsLinesForEachExecution) {
     if (RunRecord& r = run; r.configuration.kernel == "repack")
       r.stages[1].memory = {{"scatter", 4, 16, 6, {0, 2, 2, 0, 0, 0, 0, 0, 0}, 1}};
   const Chart means = chart_of(report, "memory", "means");
-  EXPECT_EQ(last_of(means, {"REPACK", "quads", 8, "Bound", "scatter"}), Json(0.0625));
-  EXPECT_EQ(last_of(means, {"REPACK", "quads", 8, "Bound", "scatter"}, 2), Json(1.5));
+  EXPECT_EQ(last_of(means, {"REPACK", "micropolygon = quad", 8, "Bound", "scatter"}), Json(0.0625));
+  EXPECT_EQ(last_of(means, {"REPACK", "micropolygon = quad", 8, "Bound", "scatter"}, 2), Json(1.5));
   EXPECT_EQ(last_of(chart_of(report, "memory", "histograms"),
-                    {"REPACK", "quads", 8, "Bound", "scatter", 2}),
+                    {"REPACK", "micropolygon = quad", 8, "Bound", "scatter", 2}),
             Json(0.5));
 }
 
-TEST(HtmlCharts, WorkingSetAddsUpThePacketsOfAllScenes) {
+/// The sample at every W from 1 to 64.
+Report at_all_widths() {
   Report report = sample_report();
-  for (RunRecord& run : report.runs)
-    if (run.configuration.kernel == "repack")
-      run.series = {{"working_set_course_sum", "", "", "", {16, 30}},
-                    {"working_set_course_packets", "", "", "", {2, 1}},
-                    {"working_set_histogram", "", "", "", {0, 1, 3}}};
-  const Chart course = chart_of(report, "working-set", "course");
-  EXPECT_EQ(last_of(course, {"REPACK", "triangles", 8, 1}), Json(1.0));
-  EXPECT_EQ(last_of(course, {"REPACK", "triangles", 8, 2}), Json(3.75));
-  EXPECT_EQ(last_of(chart_of(report, "working-set", "histogram"), {"REPACK", "triangles", 8, 0.25}),
-            Json(0.75));
+  const std::vector<RunRecord> runs = report.runs;
+  report.runs.clear();
+  for (int width = 1; width <= 64; ++width)
+    for (RunRecord run : runs) {
+      run.configuration.width = width;
+      report.runs.push_back(std::move(run));
+    }
+  return report;
 }
 
-TEST(HtmlCharts, TheMapHasTheRoundedDifferencesOfTheTables) {
-  const Chart chart = chart_of(sample_report(), "against-thesis", "map");
-  // 85% against 98%.
-  EXPECT_EQ(last_of(chart, {"Table 4.1: LOCKSTEP, triangles", "Bound", "W = 8"}, 1), Json(-13.0));
+TEST(HtmlCharts, OfFewWidthsAreLogarithmicWithAPointAtEach) {
+  const Json spec = spec_from(R"({"x": "@lanes", "point": "@point"})", sample_report());
+  EXPECT_EQ(spec["x"]["scale"]["type"], "log");
+  EXPECT_EQ(spec["x"]["axis"]["values"], Json::array({8}));
+  EXPECT_TRUE(spec["point"].is_object());
+}
+
+TEST(HtmlCharts, OfManyWidthsHaveRoomForTheirLabels) {
+  const Report report = at_all_widths();
+  const Json spec = spec_from(R"({"x": "@lanes", "bars": "@W", "point": "@point"})", report);
+  EXPECT_FALSE(spec["x"]["scale"].contains("type"));  // Linear.
+  EXPECT_EQ(spec["x"]["axis"]["values"], Json({1, 8, 16, 24, 32, 40, 48, 56, 64}));
+  EXPECT_EQ(spec["bars"]["axis"]["values"], Json({1, 16, 32, 48, 64}));
+  EXPECT_EQ(spec["point"], Json(false));
+  EXPECT_EQ(few_widths(widths_of(report)), (std::vector<int>{1, 2, 4, 8, 16, 32, 64}));
+  EXPECT_EQ(few_widths({3, 5, 7}), (std::vector<int>{3, 5, 7}));
+}
+
+TEST(HtmlCharts, NothingToChooseIsNotShown) {
+  EXPECT_FALSE(choice("pick", "Kind", Json::array({""}), "").contains("bind"));
+  EXPECT_TRUE(choice("pick", "Kind", Json::array({"a"}), "a").contains("bind"));
 }
 
 TEST(HtmlCharts, StagesHaveOneColourEverywhere) {
   std::set<std::string> colours;
   const Report report = sample_report();
   for (const Section* section : sections())
-    for (const Block& block : section->build(ReportView(report)))
+    for (const Block& block : section->build(two_scenes(report)))
       if (const Chart* chart = std::get_if<Chart>(&block)) {
         const Json flat = chart->spec.flatten();
         for (const auto& [path, value] : flat.items())
@@ -284,52 +303,66 @@ std::size_t count(std::string_view text, std::string_view part) {
   return found;
 }
 
-TEST(HtmlPage, HasASectionForEachOfTheRegistry) {
-  const std::string page = report_page({{"a.json", sample_report()}}, ".");
+/// The general page.
+PagePlan general_plan(const Report&) { return {sections(), {"ballroll", "columnpivot"}}; }
+
+TEST(HtmlPage, HasASectionForEachOfThePlan) {
+  const std::string page = report_page({{"a.json", sample_report()}}, ".", general_plan);
   for (const Section* section : sections())
     EXPECT_EQ(count(page, fmt::format("<h2 id=\"{}\">", section->id)), 1u) << section->id;
   EXPECT_EQ(page.find("<h3"), page.npos);
+  EXPECT_NE(page.find("mean of ballroll, columnpivot"), page.npos);
+  EXPECT_EQ(page.find("mean of ballroll, columnpivot, teapot"), page.npos);
+}
+
+TEST(HtmlPage, NamesScenesWithTheirWork) {
+  const std::string page = report_page({{"a.json", sample_report()}}, ".", general_plan);
+  for (const char* part : {"<th scope=\"row\">ballroll, frame = 0</th>"
+                           "<td>micropolygon = quad</td><td>0x0123456789abcdef</td><td>3</td>",
+                           "<th scope=\"col\">patches_culled</th>"})
+    EXPECT_NE(page.find(part), page.npos) << part;
 }
 
 TEST(HtmlPage, HasTheSectionsOfEachSettingBelowIt) {
-  const std::string page = report_page({{"a", sample_at(4)}, {"b", sample_at(16)}}, ".");
+  const std::string page =
+      report_page({{"a", sample_at(4)}, {"b", sample_at(16)}}, ".", general_plan);
   EXPECT_EQ(count(page, "<h2 id=\"setting-2\">samples_per_pixel = 16</h2>"), 1u);
   EXPECT_EQ(count(page, "<h3 id=\"setting-2-utilization\">"), 1u);
 }
 
 TEST(HtmlPage, StringsOfTheReportAreHarmless) {
-  const std::string plain = report_page({{"a.json", sample_report()}}, ".");
+  const std::string plain = report_page({{"a.json", sample_report()}}, ".", general_plan);
   Report report = sample_report();
   const std::string evil = "</script><b onload=\"x\">&{{program}}'";
   report.command = report.commit = report.program_version = report.timing.host = evil;
   for (RunRecord& run : report.runs) {
-    if (run.configuration.scene == "first") run.configuration.scene = evil;
+    if (run.configuration.scene == "ballroll") run.configuration.scene = evil;
     for (StageRecord& stage : run.stages)
       if (stage.name == "Bound") stage.name = evil;
   }
-  const std::string page = report_page({{evil, report}}, ".");
+  const std::string page = report_page({{evil, report}}, ".", general_plan);
   EXPECT_EQ(page.find("<b onload"), page.npos);
   EXPECT_EQ(count(page, "</script>"), count(plain, "</script>"));
 }
 
 TEST(HtmlPage, SaysWhichCommandDrawsAMissingPicture) {
-  const std::string page = report_page({{"a.json", sample_report()}}, "somewhere");
-  EXPECT_NE(page.find("lanescope render --scene first --frame 0 "), page.npos);
-  EXPECT_NE(page.find("-o somewhere/frame-first.png"), page.npos);
+  const std::string page = report_page({{"a.json", sample_report()}}, "somewhere", general_plan);
+  EXPECT_NE(page.find("lanescope render --scene ballroll --frame 0 "), page.npos);
+  EXPECT_NE(page.find("-o somewhere/frame-ballroll.png"), page.npos);
 }
 
 TEST(HtmlPage, EmbedsThePictures) {
   const std::string directory = ::testing::TempDir() + "html_pictures";
   make_directory(directory);
-  write_file(directory + "/frame-first.png", png({2, 1, {{255, 0, 0}, {0, 0, 255}}}));
-  const std::string page = report_page({{"a.json", sample_report()}}, directory);
+  write_file(directory + "/frame-ballroll.png", png({2, 1, {{255, 0, 0}, {0, 0, 255}}}));
+  const std::string page = report_page({{"a.json", sample_report()}}, directory, general_plan);
   EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBOR"), 1u);
-  write_file(directory + "/frame-first.png", "no picture");
-  EXPECT_THROW(report_page({{"a.json", sample_report()}}, directory), InputError);
+  write_file(directory + "/frame-ballroll.png", "no picture");
+  EXPECT_THROW(report_page({{"a.json", sample_report()}}, directory, general_plan), InputError);
 }
 
 TEST(HtmlPage, RefusesReportsWithoutRuns) {
-  EXPECT_THROW(report_page({{"a.json", Report{}}}, "."), InputError);
+  EXPECT_THROW(report_page({{"a.json", Report{}}}, ".", general_plan), InputError);
 }
 
 TEST(HtmlPage, ReportsWithoutCountsSaySo) {
@@ -338,7 +371,7 @@ TEST(HtmlPage, ReportsWithoutCountsSaySo) {
     run.stages.clear();
     run.counters.clear();
   }
-  const std::string page = report_page({{"a.json", report}}, ".");
+  const std::string page = report_page({{"a.json", report}}, ".", general_plan);
   EXPECT_EQ(count(page, "<figure class=\"chart\""), 0u);
   EXPECT_GT(count(page, "The reports have no such figures"), 5u);
 }

@@ -24,8 +24,8 @@ std::vector<std::string> order(const Report& report) {
   std::vector<std::string> all;
   for (const RunRecord& run : report.runs) {
     const Configuration& c = run.configuration;
-    all.push_back(
-        fmt::format("{} {} {} {}", c.scene, name_of(kShapes, c.shape()), c.kernel, c.width));
+    all.push_back(fmt::format("{} {} {} {}", c.scene, value_text(value_of(c, "micropolygon")),
+                              c.kernel, c.width));
   }
   return all;
 }
@@ -41,7 +41,7 @@ std::string complaint(const std::vector<NamedReport>& reports) {
 
 TEST(Merge, PutsTogetherWhatWasTakenApart) {
   Report report = sample_report();
-  report.timing.dicing_ms = 24.0;
+  report.timing.source_ms = 24.0;
   report.timing.observation_ms = 6.0;
   report.timing.peak_memory_bytes = 77;
   for (std::size_t i = 0; i < report.runs.size(); ++i)
@@ -57,33 +57,43 @@ TEST(Merge, ASingleRunHasItsShareOfTheTimesAndItsInstructions) {
   report.instructions.push_back({"zip", "of no run but the second", "arithmetic", "active_lanes"});
   report.runs[1].stages[0].instructions.push_back({"zip", 1, 8});
   const auto runs = static_cast<double>(report.runs.size());
-  report.timing.dicing_ms = 3.0 * runs;
+  report.timing.source_ms = 3.0 * runs;
   EXPECT_EQ(single_run(report, 0).instructions.size(), 2u);
   const Report second = single_run(report, 1);
   EXPECT_EQ(second.instructions.size(), 3u);
   ASSERT_EQ(second.runs.size(), 1u);
   EXPECT_EQ(second.runs[0].configuration.kernel, "repack");
   EXPECT_EQ(second.timing.kernel_ms.size(), 1u);
-  EXPECT_DOUBLE_EQ(second.timing.dicing_ms, 3.0);
+  EXPECT_DOUBLE_EQ(second.timing.source_ms, 3.0);
   EXPECT_DOUBLE_EQ(second.timing.wall_ms, 12.5 / runs);
 }
 
-TEST(Merge, OrdersRunsByScenesShapesKernelsAndWidths) {
+/// A report of nothing, to which a test adds runs.
+Report empty_report() {
   Report report = sample_report();
   report.runs.clear();
-  const auto add = [&](const std::string& kernel, const std::string& scene, Micropolygon shape,
-                       int width) {
-    report.runs.push_back(testing::sample_run(kernel, scene, shape, {}, 1));
-    report.runs.back().configuration.width = width;
-  };
-  add("repack", "anything", Micropolygon::kTriangle, 8);
-  add("repack", "teapot", Micropolygon::kTriangle, 8);
-  add("lockstep", "teapot", Micropolygon::kQuad, 8);
-  add("lockstep", "teapot", Micropolygon::kTriangle, 16);
-  add("lockstep", "teapot", Micropolygon::kTriangle, 8);
-  add("another", "teapot", Micropolygon::kTriangle, 8);
-  add("repack", "ballroll", Micropolygon::kQuad, 64);
-  report.timing.kernel_ms = {0, 1, 2, 3, 4, 5, 6};
+  report.timing.kernel_ms.clear();
+  return report;
+}
+
+RunRecord& add_run(Report& report, const std::string& kernel, const std::string& scene = "teapot",
+                   const std::string& micropolygon = "triangle", int width = 8) {
+  report.timing.kernel_ms.push_back(static_cast<double>(report.runs.size()));
+  RunRecord& run =
+      report.runs.emplace_back(testing::sample_run(kernel, scene, micropolygon, {}, 1));
+  run.configuration.width = width;
+  return run;
+}
+
+TEST(Merge, OrdersRunsByScenesShapesKernelsAndWidths) {
+  Report report = empty_report();
+  add_run(report, "repack").configuration.scene = "anything";
+  add_run(report, "repack");
+  add_run(report, "lockstep", "teapot", "quad");
+  add_run(report, "lockstep", "teapot", "triangle", 16);
+  add_run(report, "lockstep", "teapot", "triangle", 8);
+  add_run(report, "lockstep").configuration.kernel = "another";
+  add_run(report, "repack", "ballroll", "quad", 64);
   const Report merged = merge_reports(apart(report));
   EXPECT_EQ(order(merged),
             (std::vector<std::string>{"ballroll quad repack 64", "teapot triangle lockstep 8",
@@ -91,6 +101,86 @@ TEST(Merge, OrdersRunsByScenesShapesKernelsAndWidths) {
                                       "teapot triangle another 8", "teapot quad lockstep 8",
                                       "anything triangle repack 8"}));
   EXPECT_EQ(merged.timing.kernel_ms, (std::vector<double>{6, 4, 3, 1, 5, 2, 0}));
+}
+
+/// The values of a parameter in the order in which a merged report has its runs.
+std::vector<std::string> merged_values(const Report& report, std::string_view parameter) {
+  std::vector<std::string> values;
+  for (const RunRecord& run : merge_reports(apart(report)).runs)
+    values.push_back(value_text(value_of(run.configuration, parameter)));
+  return values;
+}
+
+/// One run for each value.
+std::vector<std::string> order_of(const std::string& kernel, std::string_view parameter,
+                                  const std::vector<Value>& values) {
+  Report report = empty_report();
+  for (const Value& value : values)
+    set_value(add_run(report, kernel).configuration, parameter, value);
+  return merged_values(report, parameter);
+}
+
+TEST(Merge, OrdersValuesByTheirType) {
+  using Texts = std::vector<std::string>;
+  const auto integers = [](std::uint64_t a, std::uint64_t b, std::uint64_t c) {
+    return std::vector<Value>{a, b, c};
+  };
+  EXPECT_EQ(order_of("lockstep", "samples_per_pixel", integers(16, 4, 9)), (Texts{"4", "9", "16"}));
+  EXPECT_EQ(order_of("lockstep", "seed", integers(~std::uint64_t{0}, 9, ~std::uint64_t{0} - 1)),
+            (Texts{"9", "18446744073709551614", "18446744073709551615"}));
+  EXPECT_EQ(order_of("lockstep", "turn_degrees", {10.0f, -0.5f, 9.0f}), (Texts{"-0.5", "9", "10"}));
+  EXPECT_EQ(order_of("lockstep", "mesh_patches",
+                     {std::string("phong"), std::string("linear"), {}, std::string("pn")}),
+            (Texts{"none", "linear", "pn", "phong"}));
+  EXPECT_EQ(order_of("lockstep", "mode",
+                     {std::string("uncounted"), std::string("checked"), std::string("counting")}),
+            (Texts{"counting", "checked", "uncounted"}));
+  EXPECT_EQ(order_of("lockstep", "jitter", {true, false}), (Texts{"off", "on"}));
+}
+
+/// So that the runs that a table or a chart lays side by side stand together.
+TEST(Merge, OrdersRunsBySettingBeforeShapeAndKernel) {
+  Report report = empty_report();
+  for (const char* kernel : {"repack", "lockstep"})
+    for (const char* shape : {"quad", "triangle"})
+      for (const std::uint64_t samples : {9u, 4u})
+        set_value(add_run(report, kernel, "teapot", shape).configuration, "samples_per_pixel",
+                  samples);
+  EXPECT_EQ(merged_values(report, "samples_per_pixel"),
+            (std::vector<std::string>{"4", "4", "4", "4", "9", "9", "9", "9"}));
+  EXPECT_EQ(merged_values(report, "micropolygon"),
+            (std::vector<std::string>{"triangle", "triangle", "quad", "quad", "triangle",
+                                      "triangle", "quad", "quad"}));
+}
+
+TEST(Merge, OrdersParametersOfKernelsBelowTheKernelAndAboveTheWidth) {
+  Report report = empty_report();
+  for (const char* kernel : {"repack", "lockstep"})
+    for (const int width : {16, 8})
+      for (const std::uint64_t seed : {2u, 1u})
+        set_value(add_run(report, kernel, "teapot", "triangle", width).configuration, "seed", seed);
+  EXPECT_EQ(merged_values(report, "kernel"),
+            (std::vector<std::string>{"lockstep", "lockstep", "lockstep", "lockstep", "repack",
+                                      "repack", "repack", "repack"}));
+  EXPECT_EQ(merged_values(report, "seed"),
+            (std::vector<std::string>{"1", "1", "2", "2", "1", "1", "2", "2"}));
+  EXPECT_EQ(merged_values(report, "width_lanes"),
+            (std::vector<std::string>{"8", "16", "8", "16", "8", "16", "8", "16"}));
+}
+
+TEST(Merge, PutsUnknownKindsOfWorkLast) {
+  Report report = empty_report();
+  for (const std::string kind : {"zebras", "ants"}) {
+    RunRecord& run = add_run(report, "lockstep", "ballroll");
+    run.workload = kind;
+    run.configuration.kernel = "kernel of " + kind;
+    run.configuration.arguments = {};
+    run.configuration.arguments.set("depth", std::uint64_t{3});
+  }
+  add_run(report, "repack");
+  std::vector<std::string> kinds;
+  for (const RunRecord& run : merge_reports(apart(report)).runs) kinds.push_back(run.workload);
+  EXPECT_EQ(kinds, (std::vector<std::string>{"micropolygons", "ants", "zebras"}));
 }
 
 TEST(Merge, TakesEqualRunsOnceAndAddsTimes) {
@@ -114,10 +204,10 @@ TEST(Merge, RefusesContradictions) {
   other.runs[2].counters[0].value += 1;
   EXPECT_EQ(complaint({{"a.json", report}, {"b.json", other}})
                 .rfind("b.json: has other counts than a.json for the same parameters: "
-                       "{\"kernel\":\"lockstep\",\"width_lanes\":8,\"micropolygon\":\"quad\"",
+                       "{\"kernel\":\"lockstep\",\"width_lanes\":8,\"scene\":\"ballroll\"",
                        0),
             0u);
-  other.runs[2].configuration.seed = 2;
+  set_value(other.runs[2].configuration, "seed", std::uint64_t{2});
   EXPECT_EQ(complaint({{"a.json", report}, {"b.json", other}}), "");
 }
 

@@ -10,6 +10,8 @@
 #include "analysis/annotation/sources.h"
 #include "analysis/experiment/experiment.h"
 #include "simulator/instruction_set.h"
+#include "tests/analysis/configured.h"
+#include "tests/analysis/test_kind.h"
 
 namespace lanescope {
 namespace {
@@ -98,6 +100,15 @@ TEST_F(Observing, CountsMoreLinesThanLanes) {
   EXPECT_EQ(memory.active, 5u) << "the lanes that access memory, whatever is charged";
 }
 
+TEST(SmallSet, HoldsAnyNumber) {
+  SmallSet set;
+  for (int round = 0; round < 2; ++round) {
+    set.clear();
+    for (std::uint64_t i = 0; i < 3000; ++i) EXPECT_TRUE(set.insert(i * 64));
+    for (std::uint64_t i = 0; i < 3000; ++i) EXPECT_FALSE(set.insert(i * 64));
+  }
+}
+
 TEST_F(Observing, CountsConflictsOfAtomics) {
   auto site = vm.site(0);
   const Ints index = ints({7, 7, 8, 7, 8, 9, 10, 11});
@@ -138,11 +149,12 @@ TEST_F(Observing, AddsToOthers) {
   EXPECT_EQ(sum.source_lines(kStages).at(0).issued, 2u);
 }
 
-TEST(ObservedPackets, AreEveryNthOfASegment) {
+TEST(ObservedPieces, AreEveryNthOfASegment) {
   const auto observed = [](std::uint64_t segment, std::uint64_t ordinal, int every) {
-    Packet packet(Micropolygon::kTriangle, 100);
-    packet.clear(segment << 32 | ordinal * 100);
-    return is_observed(packet, every, 100);
+    Numbers piece;
+    piece.segment = segment;
+    piece.ordinal = ordinal;
+    return is_observed(piece, every);
   };
   EXPECT_TRUE(observed(0, 0, 16));
   EXPECT_FALSE(observed(0, 1, 16));
@@ -152,19 +164,19 @@ TEST(ObservedPackets, AreEveryNthOfASegment) {
   EXPECT_TRUE(observed(5, 7, 1));
 }
 
-/// A whole run of which every packet is observed agrees with what the machine counted.
-class WholeRun : public ::testing::TestWithParam<std::tuple<const char*, int, Micropolygon>> {
+/// A whole run of which every piece is observed agrees with what the machine counted.
+class WholeRun : public ::testing::TestWithParam<std::tuple<const char*, unsigned, const char*>> {
  protected:
-  RunRecord run(int observe_every) const {
-    Configuration c;
-    c.kernel = std::get<0>(GetParam());
-    c.width = std::get<1>(GetParam());
-    c.options.shape = std::get<2>(GetParam());
-    c.scene = "teapot";
-    c.tessellation.width_px = 64;
-    c.tessellation.height_px = 40;
-    c.tessellation.packet_capacity = 500;
-    c.observe_every = observe_every;
+  RunRecord run(unsigned observe_every) const {
+    const auto& [kernel, width, micropolygon] = GetParam();
+    const Configuration c = testing::configured({{"kernel", kernel},
+                                                 {"width_lanes", width},
+                                                 {"micropolygon", micropolygon},
+                                                 {"scene", "teapot"},
+                                                 {"width_px", 64u},
+                                                 {"height_px", 40u},
+                                                 {"packet_capacity", 500u},
+                                                 {"observe_every", observe_every}});
     ExperimentOptions options;
     options.threads = 2;
     return run_experiment({c}, options).runs.front();
@@ -173,8 +185,8 @@ class WholeRun : public ::testing::TestWithParam<std::tuple<const char*, int, Mi
 
 TEST_P(WholeRun, SourceLinesAddUpToTheCounts) {
   const RunRecord all = run(1);
-  EXPECT_GT(all.observation.packets, 1u);
-  EXPECT_EQ(all.observation.packets_observed, all.observation.packets);
+  EXPECT_GT(all.source.pieces, 1u);
+  EXPECT_EQ(all.source.pieces_observed, all.source.pieces);
   for (const StageRecord& stage : all.stages) {
     SourceLineRecord sum;
     for (const SourceLineRecord& line : all.source_lines) {
@@ -219,14 +231,14 @@ TEST_P(WholeRun, ObservingChangesNothingElse) {
   const RunRecord all = run(1);
   const RunRecord some = run(3);
   const RunRecord none = run(0);
-  EXPECT_EQ(none.observation.packets_observed, 0u);
+  EXPECT_EQ(none.source.pieces_observed, 0u);
   EXPECT_TRUE(none.source_lines.empty());
   EXPECT_TRUE(none.stages.back().memory.empty());
-  EXPECT_LT(some.observation.packets_observed, some.observation.packets);
+  EXPECT_LT(some.source.pieces_observed, some.source.pieces);
   EXPECT_FALSE(some.source_lines.empty());
   for (const RunRecord* other : {&some, &none}) {
-    EXPECT_EQ(other->frame_hash, all.frame_hash);
-    EXPECT_EQ(other->hits_hash, all.hits_hash);
+    EXPECT_EQ(other->output.hash, all.output.hash);
+    EXPECT_EQ(other->results_hash, all.results_hash);
     for (std::size_t i = 0; i < all.stages.size(); ++i)
       EXPECT_EQ(other->stages[i].histogram, all.stages[i].histogram);
     for (std::size_t i = 0; i < all.counters.size(); ++i)
@@ -258,18 +270,18 @@ TEST_P(WholeRun, TheWorkingSetsHistogramAndCourseAddUpToItsSum) {
   EXPECT_EQ(total(*sums), sum);
   EXPECT_EQ(total(*packets), observations);
   // A packet that is culled as a whole has no Bound.
-  EXPECT_LE(packets->values.front(), all.observation.packets);
+  EXPECT_LE(packets->values.front(), all.source.pieces);
   EXPECT_TRUE(std::is_sorted(packets->values.rbegin(), packets->values.rend()));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Kernels, WholeRun,
-    ::testing::Combine(::testing::Values("lockstep", "repack"), ::testing::Values(8, 64),
-                       ::testing::Values(Micropolygon::kTriangle, Micropolygon::kQuad)),
-    [](const auto& info) {
-      return fmt::format("{}_W{}_{}", std::get<0>(info.param), std::get<1>(info.param),
-                         name_of(kShapes, std::get<2>(info.param)));
-    });
+INSTANTIATE_TEST_SUITE_P(Kernels, WholeRun,
+                         ::testing::Combine(::testing::Values("lockstep", "repack"),
+                                            ::testing::Values(8u, 64u),
+                                            ::testing::Values("triangle", "quad")),
+                         [](const auto& info) {
+                           return fmt::format("{}_W{}_{}", std::get<0>(info.param),
+                                              std::get<1>(info.param), std::get<2>(info.param));
+                         });
 
 }  // namespace
 }  // namespace lanescope

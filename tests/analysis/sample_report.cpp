@@ -35,9 +35,10 @@ StageRecord stage_record(const SampleStage& stage) {
   return record;
 }
 
-/// One packet of three is observed: an instruction of each stage, with one lane on.
+/// One piece of three is observed: an instruction of each stage, with one lane on.
 void add_observation(RunRecord& run) {
-  run.observation = {3, 1};
+  run.source.pieces = 3;
+  run.source.pieces_observed = 1;
   for (const StageRecord& stage : run.stages)
     run.source_lines.push_back({"kernels/sample.h",
                                 static_cast<std::uint32_t>(10 + run.source_lines.size()),
@@ -70,7 +71,7 @@ std::vector<SampleStage> quads(std::vector<SampleStage> stages) {
 
 RunRecord quad_run(const std::string& kernel, const std::string& scene,
                    const std::vector<SampleStage>& stages, std::uint64_t rasterized) {
-  RunRecord run = sample_run(kernel, scene, Micropolygon::kQuad, quads(stages), rasterized / 2);
+  RunRecord run = sample_run(kernel, scene, "quad", quads(stages), rasterized / 2);
   for (CounterRecord& counter : run.counters)
     if (counter.name == "hits") counter.value = 3 * rasterized / 2;
   return run;
@@ -78,23 +79,40 @@ RunRecord quad_run(const std::string& kernel, const std::string& scene,
 
 void add_scene(Report& report, const std::string& scene, const std::vector<SampleStage>& lockstep,
                const std::vector<SampleStage>& repack, std::uint64_t rasterized) {
-  report.runs.push_back(
-      sample_run("lockstep", scene, Micropolygon::kTriangle, lockstep, rasterized));
-  report.runs.push_back(sample_run("repack", scene, Micropolygon::kTriangle, repack, rasterized));
+  report.runs.push_back(sample_run("lockstep", scene, "triangle", lockstep, rasterized));
+  report.runs.push_back(sample_run("repack", scene, "triangle", repack, rasterized));
   report.runs.push_back(quad_run("lockstep", scene, lockstep, rasterized));
   report.runs.push_back(quad_run("repack", scene, repack, rasterized));
 }
 
+Configuration sample_configuration(const std::string& kernel, const std::string& scene,
+                                   const std::string& micropolygon) {
+  Arguments given;
+  given.set("kernel", kernel);
+  given.set("width_lanes", std::uint64_t{kWidth});
+  given.set("scene", scene);
+  given.set("micropolygon", micropolygon);
+  given.set("frame", std::uint64_t{0});
+  return resolved(given);
+}
+
+/// What the source counted is 1, 2, 3 and so on.
+void add_kind(RunRecord& run, const Workload& workload) {
+  run.workload = workload.name;
+  for (const CounterInfo& info : workload.counters)
+    run.source.counters.push_back({std::string(info.name), std::string(info.meaning),
+                                   std::string(info.unit), run.source.counters.size() + 1});
+}
+
 }  // namespace
 
-RunRecord sample_run(const std::string& kernel, const std::string& scene, Micropolygon shape,
-                     const std::vector<SampleStage>& stages, std::uint64_t rasterized) {
+RunRecord sample_run(const std::string& kernel, const std::string& scene,
+                     const std::string& micropolygon, const std::vector<SampleStage>& stages,
+                     std::uint64_t rasterized) {
   RunRecord run;
-  run.configuration.kernel = kernel;
-  run.configuration.scene = scene;
-  run.configuration.width = kWidth;
-  run.configuration.options.shape = shape;
-  run.thesis_like = true;
+  run.configuration = sample_configuration(kernel, scene, micropolygon);
+  add_kind(run, *find_kernel(kernel).workload);
+  run.element = {"micropolygons_rasterized", "micropolygon", "mp"};
   for (const SampleStage& stage : stages) run.stages.push_back(stage_record(stage));
   add_counters(run, rasterized);
   add_observation(run);
@@ -103,11 +121,9 @@ RunRecord sample_run(const std::string& kernel, const std::string& scene, Microp
     run.counters.push_back({"working_set_observations", "observations", "observations", 10});
     run.counters.push_back({"working_set_maximum", "most alive", "micropolygons", 32});
   }
-  run.scene_hash = 0x0123456789abcdef;
-  run.hits_hash = 0xffffffffffffffff;
-  run.frame_hash = 0x00000000000000ff;
-  run.tessellation = {1, 2, 3, 4, 5, 6};
-  run.samples_covered = 10;
+  run.source.hash = 0x0123456789abcdef;
+  run.results_hash = 0xffffffffffffffff;
+  run.output = {0x00000000000000ff, {{"samples_covered", "samples with a hit", "samples", 10}}};
   return run;
 }
 
@@ -118,7 +134,7 @@ Report sample_report() {
   report.command = "lanescope tables";
   report.instructions = {{"add", "r[i] = a[i] + b[i]", "arithmetic", "active_lanes"},
                          {"scatter", "memory[index[i]] = v[i]", "memory", "active_lanes"}};
-  add_scene(report, "first",
+  add_scene(report, "ballroll",
             {{"Setup", 2, 16}, {"Bound", 10, 72}, {"Test", 60, 360}, {"Process", 30, 60}},
             {{"Setup", 2, 16},
              {"Bound", 10, 72, 2},
@@ -126,7 +142,7 @@ Report sample_report() {
              {"Test", 60, 456, 15},
              {"Process", 10, 80, 4}},
             20);
-  add_scene(report, "second",
+  add_scene(report, "columnpivot",
             {{"Setup", 3, 12}, {"Bound", 20, 128}, {"Test", 60, 240}, {"Process", 20, 80}},
             {{"Setup", 3, 12},
              {"Bound", 20, 128, 2},
@@ -134,9 +150,8 @@ Report sample_report() {
              {"Test", 40, 320, 10},
              {"Process", 10, 40, 2}},
             10);
-  add_scene(report, "third", {{"Setup", 1, 8}, {"Bound", 10, 80}, {"Test", 10, 80}},
+  add_scene(report, "teapot", {{"Setup", 1, 8}, {"Bound", 10, 80}, {"Test", 10, 80}},
             {{"Setup", 1, 8}, {"Bound", 10, 80}, {"Test", 10, 80}}, 10);
-  for (RunRecord& run : report.runs) run.thesis_like = run.configuration.scene != "third";
   report.timing = {
       12.5, 2,    "a processor", "a compiler", std::vector<double>(report.runs.size(), 0.25),
       1.5,  0.75, 1048576};

@@ -19,20 +19,22 @@ struct SampleStage {
   std::uint64_t overhead_issued = 0;
 };
 
-/// A run of a kernel at W = 8 on a scene that is like the thesis's.
-RunRecord sample_run(const std::string& kernel, const std::string& scene, Micropolygon shape,
-                     const std::vector<SampleStage>& stages, std::uint64_t rasterized);
+/// A run of a kernel at W = 8 on frame 0 of a scene, all else by default. `micropolygon` is
+/// `triangle` or `quad`.
+RunRecord sample_run(const std::string& kernel, const std::string& scene,
+                     const std::string& micropolygon, const std::vector<SampleStage>& stages,
+                     std::uint64_t rasterized);
 
-/// LOCKSTEP and REPACK at W = 8 on triangles and quads of two scenes, `first` and `second`:
+/// LOCKSTEP and REPACK at W = 8 on triangles and quads of two scenes of the thesis:
 ///
-///   lockstep, triangles   first: issued/active    second
-///   Setup                  2 /  16                 3 /  12
-///   Bound                 10 /  72                20 / 128
-///   Test                  60 / 360                60 / 240
-///   Process               30 /  60                20 /  80
-///   rasterized            20                      10
+///   lockstep, triangles   ballroll: issued/active   columnpivot
+///   Setup                  2 /  16                   3 /  12
+///   Bound                 10 /  72                  20 / 128
+///   Test                  60 / 360                  60 / 240
+///   Process               30 /  60                  20 /  80
+///   rasterized            20                        10
 ///
-/// and on `third`, which is not like the thesis's. Quads issue 8/10 of the instructions (all of
+/// and of the teapot, which is not among the thesis's. Quads issue 8/10 of the instructions (all of
 /// Setup's) for half of the micropolygons.
 Report sample_report();
 

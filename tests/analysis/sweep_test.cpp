@@ -10,27 +10,30 @@
 #include "analysis/base/json_cursor.h"
 #include "analysis/configuration/configuration_json.h"
 #include "analysis/report/report_json.h"
-#include "workloads/micropolygons/scene.h"
+#include "tests/analysis/configured.h"
+#include "tests/analysis/test_kind.h"
 
 namespace lanescope {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Cells of `groups` tessellations (by their seeds of grids) with `members` each.
-std::vector<Configuration> cells(int groups, int members) {
+/// Cells of `groups` sources with `members` each.
+std::vector<Configuration> cells(unsigned groups, unsigned members) {
   std::vector<Configuration> all;
-  for (int member = 0; member < members; ++member)
-    for (int group = 0; group < groups; ++group) {
-      Configuration& c = all.emplace_back();
-      c.scene = scenes().front()->name;
-      c.width = 8;
-      c.tessellation.width_px = 48;
-      c.tessellation.height_px = 30;
-      c.tessellation.grid_limit = group + 1;
-      c.seed = static_cast<std::uint64_t>(member);
-    }
+  for (unsigned member = 0; member < members; ++member)
+    for (unsigned group = 0; group < groups; ++group)
+      all.push_back(testing::configured({{"kernel", "lockstep"},
+                                         {"width_lanes", 8u},
+                                         {"width_px", 48u},
+                                         {"height_px", 30u},
+                                         {"grid_limit", group + 1},
+                                         {"seed", member}}));
   return all;
+}
+
+Configuration numbers(const char* kernel, unsigned piece_size = 10) {
+  return testing::configured({{"kernel", kernel}, {"piece_size", piece_size}});
 }
 
 std::vector<std::string> ids(const std::vector<Configuration>& all) {
@@ -40,7 +43,7 @@ std::vector<std::string> ids(const std::vector<Configuration>& all) {
 }
 
 TEST(Shards, AreDisjointAndTogetherAllCells) {
-  for (const auto& [groups, members] : {std::pair(1, 7), {3, 4}, {5, 2}, {4, 1}}) {
+  for (const auto& [groups, members] : {std::pair(1u, 7u), {3, 4}, {5, 2}, {4, 1}}) {
     const std::vector<Configuration> all = cells(groups, members);
     for (int count = 1; count <= 9; ++count) {
       std::multiset<std::string> united;
@@ -58,7 +61,7 @@ TEST(Shards, KeepGroupsTogether) {
   for (int index = 1; index <= 2; ++index) {
     const std::vector<Configuration> shard = shard_of(all, index, 2);
     EXPECT_EQ(shard.size(), 6u);
-    EXPECT_EQ(group_by_tessellation(shard, {}).size(), 2u);
+    EXPECT_EQ(group_by_source(shard, {}).size(), 2u);
   }
 }
 
@@ -71,17 +74,46 @@ TEST(Shards, CutGroupsThatAreTooFew) {
 
 TEST(Groups, StayWithinTheirLimits) {
   const std::vector<Configuration> all = cells(2, 5);
-  EXPECT_EQ(group_by_tessellation(all, {}),
+  EXPECT_EQ(group_by_source(all, {}),
             (std::vector<std::vector<std::size_t>>{{0, 2, 4, 6, 8}, {1, 3, 5, 7, 9}}));
   GroupLimits limits;
   limits.members = 2;
-  EXPECT_EQ(group_by_tessellation(all, limits).size(), 6u);
+  EXPECT_EQ(group_by_source(all, limits).size(), 6u);
   limits = {};
-  limits.frame_bytes = std::int64_t{48} * 30 * 4 * 8 * 3;  // Three frames of 4 samples a pixel.
-  EXPECT_EQ(group_by_tessellation(all, limits),
+  limits.output_bytes = std::uint64_t{48} * 30 * 4 * 8 * 3;  // Three frames of 4 samples a pixel.
+  EXPECT_EQ(group_by_source(all, limits),
             (std::vector<std::vector<std::size_t>>{{0, 2, 4}, {1, 3, 5}, {6, 8}, {7, 9}}));
-  limits.frame_bytes = 1;
-  EXPECT_EQ(group_by_tessellation(all, limits).size(), 10u);
+  limits.output_bytes = 1;
+  EXPECT_EQ(group_by_source(all, limits).size(), 10u);
+}
+
+TEST(Groups, AreOfOneSource) {
+  const std::vector<Configuration> all{numbers("sum"), numbers("running_sum"), numbers("sum", 9),
+                                       cells(1, 1).front(), numbers("running_sum", 9)};
+  EXPECT_EQ(group_by_source(all, {}), (std::vector<std::vector<std::size_t>>{{0, 1}, {2, 4}, {3}}));
+  for (const Configuration& a : all)
+    for (const Configuration& b : all)
+      EXPECT_EQ(group_by_source({a, b}, {}).size(), same_source(a, b) ? 1u : 2u);
+}
+
+/// An output of 12 numbers of 8 bytes; what is observed of a sequential kernel needs a second one.
+TEST(Groups, HaveRoomForOutputsOfWhatIsObserved) {
+  GroupLimits limits;
+  limits.output_bytes = 3 * 12 * 8;
+  Configuration unobserved = numbers("running_sum");
+  unobserved.observe_every = 0;
+  EXPECT_EQ(group_by_source({numbers("sum"), numbers("running_sum")}, limits).size(), 1u);
+  EXPECT_EQ(group_by_source({numbers("running_sum"), numbers("running_sum")}, limits).size(), 2u);
+  EXPECT_EQ(group_by_source({numbers("running_sum"), unobserved}, limits).size(), 1u);
+}
+
+TEST(Groups, MakeTheirPiecesForEachSequentialWorker) {
+  const Configuration any = numbers("sum");
+  const Configuration sequential = numbers("running_sum");
+  EXPECT_EQ(source_passes({any, any}, 4), 1);
+  EXPECT_EQ(source_passes({sequential}, 4), 1);
+  EXPECT_EQ(source_passes({any, sequential, sequential}, 4), 3);
+  EXPECT_EQ(source_passes({any, sequential, sequential}, 1), 2);
 }
 
 TEST(CellId, TellsParametersApart) {
@@ -89,6 +121,23 @@ TEST(CellId, TellsParametersApart) {
   EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), all.size());
   EXPECT_EQ(all.front().find_first_not_of("0123456789abcdef"), std::string::npos);
   EXPECT_EQ(all.front().size(), 16u);
+}
+
+TEST(CellId, IsOfTheContentOfAFile) {
+  const std::string path = fs::path(::testing::TempDir()) / "lanescope-cell-id.numbers";
+  fs::remove(path);
+  const Configuration cell = testing::configured({{"kernel", "sum"}, {"scene", path}});
+  const std::string absent = cell_id(cell);
+  write_file(path, "1 2 3");
+  const std::string first = cell_id(cell);
+  EXPECT_NE(first, absent);
+  EXPECT_EQ(cell_id(cell), first);
+  write_file(path, "1 2 3 4");
+  EXPECT_NE(cell_id(cell), first);
+  write_file(path, "1 2 3");
+  EXPECT_EQ(cell_id(cell), first);
+  fs::remove(path);
+  EXPECT_EQ(cell_id(cell), absent);
 }
 
 class SweepInDirectory : public ::testing::Test {
@@ -107,19 +156,19 @@ class SweepInDirectory : public ::testing::Test {
   SweepDirectory directory_;
 };
 
-TEST_F(SweepInDirectory, SharesTessellationsOnlyAsFarAsAllowed) {
+TEST_F(SweepInDirectory, SharesSourcesOnlyAsFarAsAllowed) {
   const std::vector<Configuration> all = cells(2, 3);
   SweepOptions options;
   const SweepSummary shared = run_sweep(all, directory_, options);
   EXPECT_EQ(shared.done, 6u);
   EXPECT_EQ(shared.groups, 2u);
-  EXPECT_NEAR(shared.dicing_unshared_ms, 3.0 * shared.dicing_ms, 1e-9 * shared.dicing_ms);
+  EXPECT_NEAR(shared.source_unshared_ms, 3.0 * shared.source_ms, 1e-9 * shared.source_ms);
   fs::remove_all(directory_.cells_path());
   directory_.open();
   options.group_limits.members = 1;
   const SweepSummary alone = run_sweep(all, directory_, options);
   EXPECT_EQ(alone.groups, 6u);
-  EXPECT_DOUBLE_EQ(alone.dicing_unshared_ms, alone.dicing_ms);
+  EXPECT_DOUBLE_EQ(alone.source_unshared_ms, alone.source_ms);
 }
 
 TEST_F(SweepInDirectory, TellsItsProgress) {
@@ -155,11 +204,14 @@ TEST_F(SweepInDirectory, RedoesCellsThatDoNotReadAsTheirReport) {
 TEST_F(SweepInDirectory, KeepsFailuresAndTriesThemAgain) {
   const std::string mesh = path_ / "later.obj";
   std::vector<Configuration> all = cells(1, 4);
-  for (std::size_t i = 2; i < 4; ++i) {
-    all[i].scene = mesh;
-    all[i].mesh_patches = MeshPatches::kLinear;
-    all[i].frame = 0;
-  }
+  for (std::size_t i = 2; i < 4; ++i)
+    all[i] = testing::configured({{"kernel", "lockstep"},
+                                  {"width_lanes", 8u},
+                                  {"width_px", 48u},
+                                  {"height_px", 30u},
+                                  {"scene", mesh},
+                                  {"mesh_patches", "linear"},
+                                  {"seed", static_cast<unsigned>(i)}});
   const SweepSummary first = run_sweep(all, directory_, {});
   EXPECT_EQ(first.done, 2u);
   EXPECT_EQ(first.failed, 2u);
@@ -176,10 +228,29 @@ TEST_F(SweepInDirectory, KeepsFailuresAndTriesThemAgain) {
   EXPECT_EQ(directory_.failure_count(), 0u);
 }
 
+/// A cell of a file that has changed is another cell.
+TEST_F(SweepInDirectory, RedoesCellsWhoseSceneHasChanged) {
+  const std::string path = path_ / "scene.numbers";
+  const std::vector<Configuration> all{testing::configured({{"kernel", "sum"}, {"scene", path}}),
+                                       numbers("sum")};
+  write_file(path, "1 2 3");
+  EXPECT_EQ(run_sweep(all, directory_, {}).done, 2u);
+  EXPECT_EQ(run_sweep(all, directory_, {}).skipped, 2u);
+  write_file(path, "1 2 3 4");
+  const SweepSummary again = run_sweep(all, directory_, {});
+  EXPECT_EQ(again.done, 1u);
+  EXPECT_EQ(again.skipped, 1u);
+  const auto report = directory_.find(all.front());
+  ASSERT_TRUE(report.has_value());
+  EXPECT_EQ(report->runs.front().counter("numbers"), 4u);
+}
+
 /// A kernel that rejects one member must not take the others of its group with it.
 TEST_F(SweepInDirectory, OnlyTheGuiltyCellOfAGroupFails) {
-  std::vector<Configuration> all = cells(1, 3);
-  all[1].kernel = "no such kernel";
+  std::vector<Configuration> all;
+  for (const unsigned refused : {1u, 0u, 3u})  // All numbers are even, and 0 is among them.
+    all.push_back(
+        testing::configured({{"kernel", "sum"}, {"scene", "rising"}, {"refused", refused}}));
   const SweepSummary summary = run_sweep(all, directory_, {});
   EXPECT_EQ(summary.done, 2u);
   EXPECT_EQ(summary.failed, 1u);
@@ -200,7 +271,7 @@ TEST_F(SweepInDirectory, EstimatesFromFinishedCellsOrABriefRun) {
   done.timing.threads = 4;
   SweepOptions options;
   options.threads = 2;
-  left[1].samples_per_pixel = 16;  // Four times the work.
+  set_value(left[1], "samples_per_pixel", std::uint64_t{16});  // Four times the work.
   const auto known = estimate_sweep({done}, left, options);
   ASSERT_TRUE(known.has_value());
   EXPECT_TRUE(known->from_finished_cells);

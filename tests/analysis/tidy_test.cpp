@@ -61,13 +61,7 @@ std::uint64_t sum_of(const std::vector<CsvRow>& rows, const std::string& column)
 
 InstructionRecord total_of(const Report& report) {
   InstructionRecord sum;
-  for (const RunRecord& run : report.runs) {
-    const InstructionRecord counts = total(run, Stages::kAll);
-    sum.issued += counts.issued;
-    sum.active += counts.active;
-    sum.overhead_issued += counts.overhead_issued;
-    sum.overhead_active += counts.overhead_active;
-  }
+  for (const RunRecord& run : report.runs) sum += total(run);
   return sum;
 }
 
@@ -97,6 +91,8 @@ TEST(Tidy, AnInstructionHasItsRunAndItsKind) {
   EXPECT_EQ(scatter["mesh_patches"], "");
   EXPECT_EQ(scatter["jitter"], "TRUE");
   EXPECT_EQ(scatter["dice_area_px"], "1.0");
+  EXPECT_EQ(scatter["workload"], "micropolygons");
+  EXPECT_EQ(scatter["element"], "micropolygon");
   EXPECT_EQ(scatter["stage"], "Process");
   EXPECT_EQ(scatter["mnemonic"], "scatter");
   EXPECT_EQ(scatter["class"], "memory");
@@ -104,24 +100,78 @@ TEST(Tidy, AnInstructionHasItsRunAndItsKind) {
   EXPECT_EQ(scatter["issued"], "1");
   EXPECT_EQ(scatter["active"], "2");
   EXPECT_EQ(scatter["utilization"], "0.25");
-  EXPECT_EQ(scatter["issued_per_micropolygon"], "0.05");
+  EXPECT_EQ(scatter["issued_per_element"], "0.05");
 }
 
 TEST(Tidy, AStageHasItsMemory) {
   Report report = testing::sample_report();
   report.runs.resize(2);
-  report.runs[1].observation = {3, 0};
+  report.runs[1].source.pieces_observed = 0;
   const auto rows = rows_of({{"r.json", report}}, TidyRows::kStages);
   CsvRow process = rows.at(3);
   EXPECT_EQ(process["stage"], "Process");
   EXPECT_EQ(process["utilization"], "0.25");
-  EXPECT_EQ(process["packets_observed"], "1");
+  EXPECT_EQ(process["pieces"], "3");
+  EXPECT_EQ(process["pieces_observed"], "1");
   EXPECT_EQ(process["memory_issued"], "1");
   EXPECT_EQ(process["memory_active"], "2");
   EXPECT_EQ(process["memory_lines"], "1");
   EXPECT_EQ(process["memory_conflicts"], "1");
   EXPECT_EQ(CsvRow(rows.at(0))["memory_lines"], "0") << "nothing touched";
   EXPECT_EQ(CsvRow(rows.at(4))["memory_lines"], "") << "nothing observed";
+}
+
+TEST(Tidy, ParametersAreTheUnionOverRunsAndStandTogether) {
+  const NamedReport source{"r.json", testing::sample_report()};
+  for (const auto& [word, rows] : kTidyRows) {
+    const TidyTable table = tidy({source}, rows);
+    std::vector<std::string> parameters{"report", "run"};
+    add_parameter_names(source.report, parameters);
+    ASSERT_GT(table.columns.size(), parameters.size());
+    EXPECT_TRUE(std::equal(parameters.begin(), parameters.end(), table.columns.begin())) << word;
+  }
+  const auto rows = rows_of({source}, TidyRows::kRuns);
+  EXPECT_EQ(CsvRow(rows.at(0))["stream_load_threshold"], "") << "LOCKSTEP has none";
+  EXPECT_EQ(CsvRow(rows.at(1))["stream_load_threshold"], "0.0");
+}
+
+/// A parameter of such a name would be lost.
+TEST(Tidy, NoParameterIsCalledLikeAColumn) {
+  Report report = testing::sample_report();
+  std::set<std::string> columns;
+  for (RunRecord& run : report.runs) {
+    run.configuration.arguments = {};
+    run.counters.clear();
+    run.metrics.clear();
+    run.source.counters.clear();
+    run.output.counters.clear();
+  }
+  for (const auto& [word, rows] : kTidyRows)
+    for (const std::string& column : tidy({{"r.json", report}}, rows).columns)
+      columns.insert(column);
+  for (const auto& binding : run_parameters())
+    columns.erase(std::string(binding.parameter().name()));
+  EXPECT_GT(columns.size(), 20u);
+  for (const Parameter& parameter : all_parameters())
+    EXPECT_FALSE(columns.contains(std::string(parameter.name()))) << parameter.name();
+}
+
+TEST(Tidy, FiguresOfOneNameAreToldApart) {
+  Report report = testing::sample_report();
+  report.runs.resize(1);
+  RunRecord& run = report.runs[0];
+  run.source.counters = {{"tests", "of the source", "tests", 1}};
+  run.counters.push_back({"issued", "a counter", "things", 2});
+  run.output.counters = {{"tests", "of the output", "tests", 3}};
+  run.metrics.push_back({"hits", "a ratio", "tests", "hits"});
+  CsvRow row = rows_of({{"r.json", report}}, TidyRows::kRuns).at(0);
+  EXPECT_EQ(row["tests"], "1");
+  EXPECT_EQ(row["counter_tests"], "200");
+  EXPECT_EQ(row["output_tests"], "3");
+  EXPECT_EQ(row["issued"], "102");
+  EXPECT_EQ(row["counter_issued"], "2");
+  EXPECT_EQ(row["hits"], "40");
+  EXPECT_EQ(row["metric_hits"], "5");
 }
 
 TEST(Tidy, CountersAreTheUnionOverRuns) {
@@ -132,9 +182,12 @@ TEST(Tidy, CountersAreTheUnionOverRuns) {
   EXPECT_EQ(lockstep["ste"], "0.2");
   EXPECT_EQ(lockstep["working_set_maximum"], "");
   EXPECT_EQ(repack["working_set_maximum"], "32");
-  EXPECT_EQ(lockstep["scene_hash"], "x0123456789abcdef");
+  EXPECT_EQ(lockstep["source_hash"], "x0123456789abcdef");
+  EXPECT_EQ(lockstep["results_hash"], "xffffffffffffffff");
+  EXPECT_EQ(lockstep["output_hash"], "x00000000000000ff");
+  EXPECT_EQ(lockstep["grids"], "4") << "a counter of the source";
+  EXPECT_EQ(lockstep["samples_covered"], "10") << "a counter of the output";
   EXPECT_EQ(lockstep["kernel_ms"], "0.25");
-  EXPECT_EQ(lockstep["thesis_like"], "TRUE");
 }
 
 TEST(Tidy, UncountedRunsHaveNoCounts) {

@@ -17,20 +17,20 @@
 #include "analysis/trace/lane_strip_picture.h"
 #include "analysis/trace/listing.h"
 #include "simulator/base/error.h"
+#include "tests/analysis/configured.h"
+#include "tests/analysis/test_kind.h"
 
 namespace lanescope {
 namespace {
 
 /// A teapot so small that all of it can be traced; packets of three batches.
 Configuration small(const std::string& kernel) {
-  Configuration c;
-  c.kernel = kernel;
-  c.scene = "teapot";
-  c.width = 8;
-  c.tessellation.width_px = 24;
-  c.tessellation.height_px = 15;
-  c.tessellation.packet_capacity = 20;
-  return c;
+  return testing::configured({{"kernel", kernel},
+                              {"scene", "teapot"},
+                              {"width_lanes", 8u},
+                              {"width_px", 24u},
+                              {"height_px", 15u},
+                              {"packet_capacity", 20u}});
 }
 
 struct Event {
@@ -97,7 +97,7 @@ TEST_P(Trace, ShowsWhatACountingMachineCounts) {
 TEST_P(Trace, WindowsFitTogether) {
   for (const bool cull : {true, false}) {
     Configuration c = small(GetParam());
-    c.options.cull_backfaces = cull;
+    set_value(c, "cull_backfaces", cull);
     Recorder joined = record(c, {{}, 0, 4});  // Ends within the second packet of three batches.
     const Recorder second = record(c, {{}, 4, 11});
     const Recorder whole = record(c, {{}, 0, 11});
@@ -126,51 +126,50 @@ TEST_P(Trace, WindowsOutsideAreRefused) {
   EXPECT_THROW(record(c, {Region{20, 0, 5, 1}}), InputError);
   EXPECT_THROW(record(c, {Region{20, 14, 1, 2}}), InputError);
   c.scene = "tigerjump";  // Has sky in its corner.
-  c.tessellation.width_px = 96;
-  c.tessellation.height_px = 60;
+  set_value(c, "width_px", std::uint64_t{96});
+  set_value(c, "height_px", std::uint64_t{60});
   EXPECT_THROW(record(c, {Region{0, 0, 1, 1}}), InputError);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernels, Trace, ::testing::Values("lockstep", "repack"),
                          [](const auto& info) { return info.param; });
 
-TEST(Trace, OfTheReferenceIsRefused) {
-  Configuration c = small("rastmp");
-  c.width = 1;
-  EXPECT_THROW(record(c, {}), InputError);
-}
-
-/// A packet of right triangles with their corner at (x, y) and sides of `size` cells.
-Packet triangles_at(const std::vector<std::pair<float, float>>& corners, float size, int capacity) {
-  Packet packet(Micropolygon::kTriangle, capacity);
-  for (const auto& [x, y] : corners) {
-    Vertex vertices[3];
-    vertices[1][Attribute::kX] = size;
-    vertices[2][Attribute::kY] = size;
-    for (Vertex& vertex : vertices) {
-      vertex[Attribute::kX] += x;
-      vertex[Attribute::kY] += y;
-    }
-    packet.append(vertices);
+/// Both orders: what comes before the window is run, and not shown.
+class TraceOfNumbers : public ::testing::TestWithParam<std::string> {
+ protected:
+  /// Pieces of 10 numbers: of three batches, the last of which has two.
+  Configuration configuration() const {
+    return testing::configured({{"kernel", GetParam()}, {"width_lanes", 4u}});
   }
-  return packet;
+};
+
+TEST_P(TraceOfNumbers, WindowsFitTogether) {
+  const Recorder whole = record(configuration(), {});
+  EXPECT_EQ(whole.batches, numbers(0, 36));
+  Recorder joined = record(configuration(), {{}, 0, 7});
+  const Recorder second = record(configuration(), {{}, 7, 36});
+  EXPECT_EQ(joined.batches, numbers(0, 7));
+  EXPECT_EQ(second.batches, numbers(7, 36));
+  EXPECT_GT(second.events.size(), 0u);
+  joined.events.insert(joined.events.end(), second.events.begin(), second.events.end());
+  EXPECT_EQ(joined.events, whole.events);
 }
 
-TEST(RegionFilter, KeepsWhatMeetsTheRegionInOrder) {
-  // The region is cells 4 to 7 in both directions. Boxes end at floor(corner + 0.5).
-  const Packet packet = triangles_at(
-      {{3.4f, 5}, {3.5f, 5}, {7.9f, 7.9f}, {8.0f, 5}, {5, 3.4f}, {5, 8.0f}, {6, 6}}, 0.5f, 8);
-  std::vector<std::vector<float>> passed;
-  RegionFilter filter({2, 2, 2, 2}, 2, [&](const Packet& p) {
-    EXPECT_EQ(p.capacity(), 8);
-    passed.emplace_back(p.values(0, Attribute::kX), p.values(0, Attribute::kX) + p.size());
-  });
-  filter.take(packet);
-  EXPECT_TRUE(passed.empty());
-  for (int i = 0; i < 2; ++i) filter.take(packet);
-  filter.flush();
-  EXPECT_EQ(passed,
-            (std::vector<std::vector<float>>{{3.5f, 7.9f, 6, 3.5f, 7.9f, 6, 3.5f, 7.9f}, {6}}));
+TEST_P(TraceOfNumbers, AKindWithoutRegionsHasNone) {
+  try {
+    record(configuration(), {Region{0, 0, 1, 1}});
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "--region: numbers have no regions; leave it out");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernels, TraceOfNumbers, ::testing::Values("sum", "running_sum"),
+                         [](const auto& info) { return info.param; });
+
+TEST(Trace, OfTheReferenceIsRefused) {
+  EXPECT_THROW(record(testing::configured({{"kernel", "rastmp"}, {"width_lanes", 1u}}), {}),
+               InputError);
 }
 
 constexpr InstructionInfo kAdd{"add", "a + b", InstructionClass::kArithmetic};
@@ -217,12 +216,12 @@ TEST(LaneStrip, ColoursAreThoseOfStagesAndTheirMeans) {
   LaneStrip strip(small("lockstep"), find_kernel("lockstep"));
   strip.issued(event_of(2, 0b001));
   strip.issued(event_of(2, 0b101));
-  EXPECT_EQ(lane_colour(strip, 0, 0), stage_colour("Test", 2));
+  EXPECT_EQ(lane_colour(strip, 0, 0), stage_colour("Test"));
   EXPECT_EQ(lane_colour(strip, 0, 1), kLaneOff);
   strip.coarsen(1);
-  EXPECT_EQ(lane_colour(strip, 0, 0), stage_colour("Test", 2));
+  EXPECT_EQ(lane_colour(strip, 0, 0), stage_colour("Test"));
   EXPECT_EQ(lane_colour(strip, 0, 1), kLaneOff);
-  EXPECT_EQ(lane_colour(strip, 0, 2), mixed(kLaneOff, stage_colour("Test", 2), 0.5));
+  EXPECT_EQ(lane_colour(strip, 0, 2), mixed(kLaneOff, stage_colour("Test"), 0.5));
 }
 
 std::map<Colour, std::uint64_t> pixels_by_colour(const std::string& bytes) {
@@ -248,10 +247,10 @@ TEST(LaneStripPicture, HasOnePatchOfColourForEachBusyLane) {
       pixels_by_colour(lane_strip_picture(strips.at_one_scale(), PictureFormat::kPng));
   // 64 columns of 32 pixels, lanes of 16; and a square of 14 pixels in the legend.
   constexpr std::uint64_t kPatch = 32 * 16, kLegend = 14 * 14;
-  EXPECT_EQ(count.at(stage_colour("Test", 2)), 32 * 2 * kPatch + kLegend);
-  EXPECT_EQ(count.at(stage_colour("Process", 3)), 32 * 3 * kPatch + kLegend);
+  EXPECT_EQ(count.at(stage_colour("Test")), 32 * 2 * kPatch + kLegend);
+  EXPECT_EQ(count.at(stage_colour("Process")), 32 * 3 * kPatch + kLegend);
   EXPECT_EQ(count.at(kLaneOff), (64 * 8 - 32 * 5) * kPatch + kLegend);
-  EXPECT_EQ(count.at(stage_colour("Bound", 1)), kLegend);
+  EXPECT_EQ(count.at(stage_colour("Bound")), kLegend);
 }
 
 /// Whether every element that begins ends, and in the right order.

@@ -40,7 +40,13 @@ TEST_F(Reports, CompareRefusesWhatItCannotCompare) {
             "lanescope: none.json: cannot be read: No such file or directory\n");
   EXPECT_EQ(run("compare a.json b.json --ignore kernel", 2).errors,
             "lanescope: a.json: two runs have the same parameters but for those ignored: "
-            "width_lanes=8 micropolygon=triangle scene=first\n");
+            "width_lanes=8 scene=ballroll micropolygon=triangle\n");
+  EXPECT_EQ(
+      run("compare a.json b.json --ignore sead", 2)
+          .errors.rfind("lanescope: --ignore: 'sead' is not a parameter of a run in a.json or "
+                        "b.json; use ",
+                        0),
+      0u);
   EXPECT_EQ(entries(), (std::set<std::string>{"a.json", "b.json", "cut.json"}));
 }
 
@@ -62,7 +68,7 @@ TEST_F(Reports, RunsAtOneAndTwoThreadsCompareAsTheSame) {
             "2 runs compared: 0 differ, 0 only in one.json, 0 only in two.json\n");
   run(experiment + "--seed 2 --json seed.json");
   run("compare one.json seed.json", 1);
-  EXPECT_NE(run("compare one.json seed.json --ignore seed", 1).output.find("hits_hash"),
+  EXPECT_NE(run("compare one.json seed.json --ignore seed", 1).output.find("results_hash"),
             std::string::npos);
 }
 

@@ -36,8 +36,9 @@ TEST_F(EndToEnd, ReportsAreTheSameAtAnyNumberOfThreadsAndTwice) {
 
 TEST_F(EndToEnd, RunPrintsASummaryAndWritesAReport) {
   const Outcome outcome = run("run --scene teapot --width 8 --json r.json" + kSmall);
-  for (const char* words : {"lockstep on teapot, triangles", "repack on teapot, triangles",
-                            "Test Stream-load", "Instr./mp", "sample_test_efficiency"})
+  for (const char* words :
+       {"lockstep on teapot, micropolygon = triangle", "repack on teapot, micropolygon = triangle",
+        "Test Stream-load", "Instr./mp", "sample_test_efficiency"})
     EXPECT_NE(outcome.output.find(words), std::string::npos) << words << "\n" << outcome.output;
   const Report report = parse_report(file("r.json"), "r.json");
   EXPECT_EQ(report.runs.size(), 2u);
@@ -49,25 +50,103 @@ TEST_F(EndToEnd, EveryOptionReachesTheReport) {
   run("run --kernel repack --scene teapot --frame 3 --turn -12 --resolution 64x40 --dice-area 2 "
       "--grid 8 --drain 100 --msaa 9 --jitter off --seed 5 --edges precomputed "
       "--stream-load-threshold 0.5 --cull off --mode checked --width 8 --micropolygon quad "
-      "--json r.json");
+      "--grid-overlap 0.25 --observe-every 2 --json r.json");
   const Configuration c = parse_report(file("r.json"), "r.json").runs.front().configuration;
-  EXPECT_EQ(c.kernel, "repack");
-  EXPECT_EQ(c.scene, "teapot");
-  EXPECT_EQ(c.frame, 3);
-  EXPECT_EQ(c.turn_degrees, -12.0f);
-  EXPECT_EQ(c.tessellation.width_px, 64);
-  EXPECT_EQ(c.tessellation.height_px, 40);
-  EXPECT_EQ(c.tessellation.dice_area_px, 2.0f);
-  EXPECT_EQ(c.tessellation.grid_limit, 8);
-  EXPECT_EQ(c.tessellation.packet_capacity, 100);
-  EXPECT_EQ(c.samples_per_pixel, 9);
-  EXPECT_FALSE(c.jitter);
-  EXPECT_EQ(c.seed, 5u);
-  EXPECT_EQ(c.options.edges, Edges::kPrecomputed);
-  EXPECT_EQ(c.options.stream_load_threshold, 0.5f);
-  EXPECT_FALSE(c.options.cull_backfaces);
-  EXPECT_EQ(c.mode, Mode::kChecked);
-  EXPECT_EQ(c.shape(), Micropolygon::kQuad);
+  const std::vector<std::pair<std::string, Value>> expected{{"kernel", std::string("repack")},
+                                                            {"width_lanes", std::uint64_t{8}},
+                                                            {"scene", std::string("teapot")},
+                                                            {"mode", std::string("checked")},
+                                                            {"observe_every", std::uint64_t{2}},
+                                                            {"micropolygon", std::string("quad")},
+                                                            {"width_px", std::uint64_t{64}},
+                                                            {"height_px", std::uint64_t{40}},
+                                                            {"samples_per_pixel", std::uint64_t{9}},
+                                                            {"dice_area_px", 2.0f},
+                                                            {"grid_limit", std::uint64_t{8}},
+                                                            {"packet_capacity", std::uint64_t{100}},
+                                                            {"grid_overlap_px", 0.25f},
+                                                            {"frame", std::uint64_t{3}},
+                                                            {"mesh_patches", {}},
+                                                            {"turn_degrees", -12.0f},
+                                                            {"cull_backfaces", false},
+                                                            {"edges", std::string("precomputed")},
+                                                            {"stream_load_threshold", 0.5f},
+                                                            {"jitter", false},
+                                                            {"seed", std::uint64_t{5}}};
+  for (const auto& [name, value] : expected)
+    EXPECT_EQ(value_of(c, name), value) << name << " is " << value_text(value_of(c, name));
+  EXPECT_EQ(expected.size(), testing::listed("parameters").size());
+}
+
+/// The values that runs of a report have for some parameters, in the order of the runs.
+std::vector<std::string> values_in(const Report& report, const std::vector<std::string>& names) {
+  std::vector<std::string> all;
+  for (const RunRecord& run : report.runs) {
+    std::string text;
+    for (const std::string& name : names)
+      text += (text.empty() ? "" : " ") + value_text(value_of(run.configuration, name));
+    all.push_back(text);
+  }
+  return all;
+}
+
+TEST_F(EndToEnd, EveryParameterTakesAList) {
+  const std::string uncounted = " --mode uncounted --observe-every 0 --json -";
+  const auto report_of = [&](const std::string& arguments) {
+    return parse_report(run("run " + arguments + uncounted).output, "-");
+  };
+  // Scene, then the kind of work, then kernel, its parameters, width.
+  EXPECT_EQ(
+      values_in(
+          report_of("--scene teapot,ballroll --msaa 1,4 --width 9,4 --kernel lockstep" + kSmall),
+          {"scene", "samples_per_pixel", "width_lanes"}),
+      (std::vector<std::string>{"teapot 1 9", "teapot 1 4", "teapot 4 9", "teapot 4 4",
+                                "ballroll 1 9", "ballroll 1 4", "ballroll 4 9", "ballroll 4 4"}));
+  // A kernel has no more runs for parameters that it does not take.
+  EXPECT_EQ(values_in(report_of("--stream-load-threshold 0,0.5 --jitter on,off --width 8" + kSmall),
+                      {"kernel", "stream_load_threshold", "jitter"}),
+            (std::vector<std::string>{"lockstep none on", "lockstep none off", "repack 0 on",
+                                      "repack 0 off", "repack 0.5 on", "repack 0.5 off"}));
+  // Parameters of one option go together.
+  EXPECT_EQ(
+      values_in(report_of("--resolution 48x30,32x20 --width 8 --kernel repack --seed 3:5"),
+                {"width_px", "height_px", "seed"}),
+      (std::vector<std::string>{"48 30 3", "48 30 4", "48 30 5", "32 20 3", "32 20 4", "32 20 5"}));
+  // What a scene does not have makes no further runs.
+  write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(values_in(report_of("--scene teapot,flat.obj --frame 1,2 --patches linear,pn --width 8 "
+                                "--kernel repack" +
+                                kSmall),
+                      {"scene", "frame", "mesh_patches"}),
+            (std::vector<std::string>{"teapot 1 none", "teapot 2 none", "flat.obj none linear",
+                                      "flat.obj none pn"}));
+}
+
+TEST_F(EndToEnd, WidthsTakeRanges) {
+  const Report report = parse_report(
+      run("run --kernel lockstep --scene teapot --width 1:4,7,62:64 --json -" + kSmall).output,
+      "-");
+  EXPECT_EQ(values_in(report, {"width_lanes"}),
+            (std::vector<std::string>{"1", "2", "3", "4", "7", "62", "63", "64"}));
+  for (const RunRecord& r : report.runs) EXPECT_EQ(r.results_hash, report.runs[0].results_hash);
+  EXPECT_EQ(
+      report.command,
+      "lanescope run --kernel lockstep --width 1:4,7,62:64 --scene teapot --resolution 96x60");
+}
+
+TEST_F(EndToEnd, AGroupOfScenesHasAWord) {
+  const auto scenes = [&](const std::string& word) {
+    return values_in(
+        parse_report(run("run --kernel lockstep --width 8 --mode uncounted --observe-every 0 "
+                         "--json - --scene " +
+                         word + kSmall)
+                         .output,
+                     "-"),
+        {"scene"});
+  };
+  EXPECT_EQ(scenes("all"), testing::listed("scenes", "; frames "));
+  EXPECT_EQ(scenes("thesis"), testing::listed("scenes", "; one of `thesis`"));
+  EXPECT_LT(scenes("thesis").size(), scenes("all").size());
 }
 
 TEST_F(EndToEnd, ReferenceRunsAtItsOwnWidth) {
@@ -75,7 +154,7 @@ TEST_F(EndToEnd, ReferenceRunsAtItsOwnWidth) {
   const Report report = parse_report(outcome.output, "-");
   ASSERT_GT(report.runs.size(), 1u);
   EXPECT_EQ(report.runs[0].configuration.width, 1);
-  for (const RunRecord& r : report.runs) EXPECT_EQ(r.hits_hash, report.runs[0].hits_hash);
+  for (const RunRecord& r : report.runs) EXPECT_EQ(r.results_hash, report.runs[0].results_hash);
 }
 
 TEST_F(EndToEnd, TablesWriteADirectory) {
@@ -88,6 +167,86 @@ TEST_F(EndToEnd, TablesWriteADirectory) {
   EXPECT_NE(outcome.errors.find("results are in a/out/"), std::string::npos);
   EXPECT_NE(outcome.output.find("Table 4.1: "), std::string::npos);
   EXPECT_EQ(file("a/out/tables.txt").rfind(outcome.output.substr(0, 500), 0), 0u);
+}
+
+TEST_F(EndToEnd, TablesAreTheFirstStudy) {
+  const Outcome tables = run("tables --scene talking --out a --threads 1" + kSmall);
+  const Outcome study = run("study luong --scene talking --out b --threads 1" + kSmall);
+  EXPECT_EQ(study.output, tables.output);
+  EXPECT_EQ(entries("a"), entries("b"));
+  for (const std::string& name : entries("a")) {
+    if (name.ends_with(".json")) continue;  // Those name their command.
+    EXPECT_EQ(file("a/" + name), file("b/" + name)) << name;
+  }
+  const Report report = parse_report(file("b/report.json"), "report.json");
+  EXPECT_EQ(report.command, "lanescope study luong --scene talking --resolution 96x60");
+  EXPECT_EQ(parse_report(file("a/report.json"), "report.json").command,
+            "lanescope tables --scene talking --resolution 96x60");
+  EXPECT_EQ(report.runs.size(), 16u);
+}
+
+TEST_F(EndToEnd, StudiesAreListed) {
+  EXPECT_EQ(run("study").output, run("list studies").output);
+  EXPECT_NE(run("study luong --help").output.find("Usage: lanescope study luong"),
+            std::string::npos);
+}
+
+TEST_F(EndToEnd, StudiesTakeOtherParameters) {
+  run("study luong --scene teapot --width 5 --kernel repack --micropolygon quad --json r.json" +
+      kSmall);
+  EXPECT_EQ(values_in(parse_report(file("r.json"), "r.json"),
+                      {"kernel", "width_lanes", "scene", "micropolygon"}),
+            std::vector<std::string>{"repack 5 teapot quad"});
+}
+
+TEST_F(EndToEnd, ShowPrintsTheTablesOfAnyRun) {
+  run("run --scene ballroll,teapot --width 8,16 --json r.json" + kSmall);
+  const std::string all = run("show r.json").output;
+  for (const char* words : {"Test Stream-load", "W = 16", "sample_test_efficiency", "frame_merge"})
+    EXPECT_NE(all.find(words), std::string::npos) << words << "\n" << all;
+  const std::string one = run("show r.json --table utilization").output;
+  EXPECT_NE(all.find(one.substr(0, 200)), std::string::npos) << one;
+  EXPECT_LT(one.size(), all.size());
+  EXPECT_NE(run("show r.json --table utilization --per-scene").output.find("Of: teapot"),
+            std::string::npos);
+  EXPECT_EQ(run("show r.json --table utilization --format markdown").output.rfind("### ", 0), 0u);
+  // A table for each setting of what was varied.
+  run("run --scene teapot --width 8 --msaa 1,4 --json s.json" + kSmall);
+  const std::string settings = run("show s.json --table utilization").output;
+  for (const char* words : {"samples_per_pixel = 1", "samples_per_pixel = 4"})
+    EXPECT_NE(settings.find(words), std::string::npos) << words << "\n" << settings;
+  run("run --scene teapot --width 8 --mode uncounted --json u.json" + kSmall);
+  EXPECT_EQ(run("show u.json --table utilization", 2).errors,
+            "lanescope: u.json: has no figures for these tables\n");
+}
+
+TEST_F(EndToEnd, AnnotateSelectsRunsByAnyParameter) {
+  run("run --scene ballroll,teapot --width 8,16 --msaa 1,4 --observe-every 1 --json r.json" +
+      kSmall);
+  const std::string annotate = "annotate --from r.json ";
+  EXPECT_NE(run(annotate + "--kernel repack --width 8 --msaa 4 --scene teapot")
+                .output.find("repack, W = 8"),
+            std::string::npos);
+  EXPECT_EQ(run(annotate + "--msaa 4 --scene all").output, run(annotate + "--msaa 4").output);
+  const auto complaint = [&](const std::string& options) {
+    return run(annotate + options, 2).errors;
+  };
+  EXPECT_EQ(complaint("--width 24"),
+            "lanescope: --width: '24' selects no run of r.json; its runs have 8 or 16\n");
+  EXPECT_EQ(complaint("--msaa 9 --kernel repack"),
+            "lanescope: --msaa: '9' selects no run of r.json; those that other options select have "
+            "1 or 4\n");
+  EXPECT_EQ(complaint("--resolution 48x30"),
+            "lanescope: --resolution: '48x30' selects no run of r.json; its runs have 96x60\n");
+  EXPECT_EQ(complaint("--scene talking"),
+            "lanescope: --scene: 'talking' selects no run of r.json; its runs have ballroll or "
+            "teapot\n");
+  EXPECT_EQ(complaint("--threads 1"), "lanescope: --threads excludes --from\n");
+  run("run --scene teapot --width 8 --observe-every 0 --json none.json" + kSmall);
+  EXPECT_EQ(
+      run("annotate --from none.json", 2).errors,
+      "lanescope: none.json: no run that was asked for has observed source lines; run it with "
+      "--observe-every 1, in counting mode\n");
 }
 
 TEST_F(EndToEnd, TablesFromAReportAreThoseOfTheRun) {
@@ -123,8 +282,17 @@ TEST_F(EndToEnd, MeshesAreScenes) {
       run("run --mesh 'a tetra.obj' --patches linear --width 8 --json r.json" + kSmall);
   const Report report = parse_report(file("r.json"), "r.json");
   EXPECT_EQ(report.runs[0].configuration.scene, "a tetra.obj");
-  EXPECT_GT(report.runs[0].samples_covered, 0u);
+  EXPECT_GT(report.runs[0].output.counters.front().value, 0u);
   EXPECT_NE(report.command.find("--mesh 'a tetra.obj'"), std::string::npos);
+}
+
+TEST_F(EndToEnd, AFileIsASceneAmongOthers) {
+  write("tetra.OBJ", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  run("run --scene tetra.OBJ,teapot --kernel repack --width 8 --json r.json" + kSmall);
+  run("run --mesh tetra.OBJ --kernel repack --width 8 --json s.json" + kSmall);
+  const Report both = parse_report(file("r.json"), "r.json");
+  EXPECT_EQ(values_in(both, {"scene"}), (std::vector<std::string>{"tetra.OBJ", "teapot"}));
+  EXPECT_EQ(both.runs[0].output.hash, parse_report(file("s.json"), "s.json").runs[0].output.hash);
 }
 
 TEST_F(EndToEnd, NothingIsHalfWrittenWhenTheRunFails) {

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
+#include <sstream>
 
 #include "analysis/base/files.h"
 
@@ -30,10 +31,27 @@ Outcome lanescope_program(const std::string& arguments, const std::string& direc
   return shell(fmt::format("'{}' {}", LANESCOPE_BINARY, arguments), directory);
 }
 
+std::vector<std::string> listed(const std::string& what, const std::string& words) {
+  const Outcome list = lanescope_program("list " + what);
+  EXPECT_EQ(list.status, 0) << list.errors;
+  std::vector<std::string> names;
+  std::istringstream lines(list.output);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(words) != line.npos) names.push_back(line.substr(0, line.find(' ')));
+  return names;
+}
+
+std::vector<std::string> commands_and_studies() {
+  std::vector<std::string> names = listed("commands");
+  for (const std::string& study : listed("studies")) names.push_back("study " + study);
+  return names;
+}
+
 std::string made_small(const std::string& arguments) {
   static const std::regex kResolution(" --resolution [0-9x]+");
-  const std::string help =
-      lanescope_program(arguments.substr(0, arguments.find(' ')) + " --help").output;
+  const bool is_study = arguments.starts_with("study ");
+  const std::size_t end = arguments.find(' ', is_study ? std::string("study ").size() : 0);
+  const std::string help = lanescope_program(arguments.substr(0, end) + " --help").output;
   if (help.find("--resolution") == help.npos || arguments.find("--from") != arguments.npos)
     return arguments;
   return std::regex_replace(arguments, kResolution, "") + " --resolution 96x60";

@@ -13,13 +13,14 @@ struct Outcome {
   std::string errors;
 };
 
-/// Every command, in the order of the program's help.
-inline const std::vector<std::string> kCommands{"run",    "sweep",   "merge", "tables",
-                                                "report", "compare", "csv",   "annotate",
-                                                "trace",  "render",  "list",  "schema"};
-
 /// Runs `lanescope` with arguments as they are typed in a shell, in a directory.
 Outcome lanescope_program(const std::string& arguments, const std::string& directory = ".");
+
+/// The first words of the lines that `lanescope list <what>` prints, of those with `words` in them.
+std::vector<std::string> listed(const std::string& what, const std::string& words = "");
+
+/// Every command that has examples: those of the program, and its studies as `study <name>`.
+std::vector<std::string> commands_and_studies();
 
 /// Runs any command line in the same way.
 Outcome shell(const std::string& command_line, const std::string& directory = ".");

@@ -2,13 +2,11 @@
 // The commands of the README, as they stand there, on small frames.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
 
 #include "analysis/base/files.h"
-#include "kernels/kernel.h"
 #include "tests/cli/program.h"
 
 namespace lanescope {
@@ -27,12 +25,10 @@ std::vector<std::string> commands_of_readme() {
 }
 
 TEST(Readme, EveryCommandWorks) {
-  for (const int width : {8, 16, 32, 64})
-    if (!std::ranges::binary_search(built_widths(), width))
-      GTEST_SKIP() << "not built for W = " << width;
   const fs::path directory = fs::path(::testing::TempDir()) / "lanescope-readme";
   fs::remove_all(directory);
   fs::create_directories(directory / "models");
+  fs::create_directories(directory / "out");  // As scripts/run, which comes first, leaves it.
   std::ofstream(directory / "models" / "bunny.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   fs::copy(fs::path(LANESCOPE_SOURCE_DIR) / "examples", directory / "examples");
   const auto commands = commands_of_readme();
@@ -47,13 +43,15 @@ TEST(Readme, EveryCommandWorks) {
 /// Links to files of the repository lead somewhere.
 TEST(Readme, LinksLeadSomewhere) {
   static const std::regex kLink(R"(\]\(([^)#:]+)(#[^)]*)?\))");
-  for (const char* page :
-       {"README.md", "docs/thesis.md", "docs/kernels.md", "docs/workloads.md",
-        "docs/conventions.md", "docs/pictures.md", "docs/report-format.md", "docs/sweeps.md"}) {
-    const fs::path path = fs::path(LANESCOPE_SOURCE_DIR) / page;
-    const std::string text = read_file(path);
+  const fs::path root = LANESCOPE_SOURCE_DIR;
+  std::vector<fs::path> pages{root / "README.md"};
+  for (const auto& entry : fs::directory_iterator(root / "docs"))
+    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  EXPECT_GE(pages.size(), 8u);
+  for (const fs::path& page : pages) {
+    const std::string text = read_file(page);
     for (std::sregex_iterator it(text.begin(), text.end(), kLink), end; it != end; ++it)
-      EXPECT_TRUE(fs::exists(path.parent_path() / std::string((*it)[1])))
+      EXPECT_TRUE(fs::exists(page.parent_path() / std::string((*it)[1])))
           << page << " links to " << (*it)[1];
   }
 }

@@ -82,8 +82,8 @@ TEST_F(ReportCommand, MistakesAreOneLineAndLeaveNoPage) {
   expect_mistake("4.json", "--output: is missing; name an HTML file");
   expect_mistake("4.json -o never.html --frames nowhere", "--frames: 'nowhere' is not a directory");
   expect_mistake("4.json 4.json -o never.html",
-                 "4.json: has a run that 4.json has, too: lockstep on teapot, W = 8, triangle; "
-                 "leave out one of the files");
+                 "4.json: has a run that 4.json has, too: lockstep on teapot, W = 8, "
+                 "micropolygon = triangle; leave out one of the files");
   const Outcome missing = lanescope_program("report none.json -o never.html", directory());
   EXPECT_EQ(missing.status, 2);
   EXPECT_EQ(missing.errors.rfind("lanescope: none.json", 0), 0u) << missing.errors;

@@ -61,9 +61,12 @@ TEST_F(TraceCommand, WritesTheSameFilesTwice) {
 TEST_F(TraceCommand, ShowsKernelsInTheirOrder) {
   const std::string listing =
       run("trace --width 8 --kernel repack,lockstep --batches 40:41 --listing -").output;
-  const std::size_t repack = listing.find("# repack on tigerjump, frame 26, triangles, W = 8\n");
+  const std::size_t repack = listing.find(
+      "# repack on tigerjump, micropolygon = triangle, resolution = 96x60, frame = 26, W = 8\n");
   EXPECT_EQ(repack, 0u);
-  EXPECT_GT(listing.find("# lockstep on tigerjump, frame 26, triangles, W = 8\n"), repack);
+  EXPECT_GT(listing.find("# lockstep on tigerjump, micropolygon = triangle, resolution = 96x60, "
+                         "frame = 26, W = 8\n"),
+            repack);
   EXPECT_NE(listing.find("# batch 40\n"), listing.npos);
   EXPECT_EQ(listing.find("# batch 41\n"), listing.npos);
 }
@@ -104,14 +107,21 @@ TEST_F(TraceCommand, MistakesEndWithStatus2AndOneLine) {
   expect_complaint(trace + "--region 0,0,1x1", "--region: no micropolygon meets it");
   expect_complaint("trace --kernel rastmp --width 1 --png x.png",
                    "--kernel: rastmp issues no instructions that could be traced");
-  expect_complaint("trace --width 8,16 --png x.png",
-                   "trace: shows one scene at a time; give one scene, width and micropolygon");
-  expect_complaint(trace + "--mode counting", "--mode: is not an option of trace");
-  expect_complaint("render -o x.png --show test",
-                   "--show: 'test' is not frame, tests, hits or micropolygons; did you mean "
-                   "'tests'?");
+  const std::string one =
+      "trace: shows one scene at a time; give one scene and width, and one value of what else "
+      "there "
+      "is";
+  expect_complaint("trace --width 8,16 --png x.png", one);
+  expect_complaint("trace --micropolygon triangle,quad --png x.png", one);
+  expect_complaint("trace --stream-load-threshold 0,0.5 --png x.png", one);
+  for (const std::string option : {"--mode", "--observe-every", "--threads"})
+    expect_complaint(trace + option + " 1", option + ": is not an option of trace");
+  expect_complaint(
+      "render -o x.png --show test",
+      "--show: 'test' is not output, frame, tests, hits or micropolygons; did you mean "
+      "'tests'?");
   expect_complaint("render -o x.png --show hits --kernel repack",
-                   "--kernel: does not change hits; leave it out, or use --show frame");
+                   "--kernel: does not change hits; leave it out, or use --show output");
 }
 
 TEST_F(TraceCommand, RenderShowsWhatHappensAtSamples) {
@@ -125,6 +135,18 @@ TEST_F(TraceCommand, RenderShowsWhatHappensAtSamples) {
     EXPECT_EQ(once.substr(1, 3), "PNG");
     EXPECT_EQ(file(std::string(what) + "2.png"), once);
   }
+}
+
+TEST_F(TraceCommand, RenderDrawsTheOutputOfAnyKernel) {
+  const std::string render = "render --micropolygon quad -o ";
+  for (const char* asked :
+       {"a.png", "b.png --show output", "c.png --show frame", "d.png --kernel repack --width 5",
+        "e.png --kernel rastmp", "f.png --mode checked"}) {
+    const Outcome outcome = run(render + asked);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  }
+  for (const char* name : {"b.png", "c.png", "d.png", "e.png", "f.png"})
+    EXPECT_EQ(file(name), file("a.png")) << name;
 }
 
 }  // namespace

@@ -200,9 +200,7 @@ struct Ground {
   explicit Ground(std::size_t size) : elements(size) {
     for (std::size_t i = 0; i < size; ++i) elements[i] = static_cast<T>(1000 + i);
   }
-  Memory<T> memory() {
-    return {elements.data(), elements.size(), "ground", nullptr};
-  }
+  Memory<T> memory() { return {elements.data(), elements.size(), "ground", nullptr}; }
   std::vector<T> elements;
 };
 

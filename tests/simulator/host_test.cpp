@@ -25,8 +25,6 @@ bool names_the_host() {
 TEST(Host, IsPartOfTheNamesOfWhatDependsOnIt) {
   EXPECT_TRUE(names_the_host<Mask<16>>());
   EXPECT_TRUE((names_the_host<Vec<float, 16>>()));
-  EXPECT_TRUE(names_the_host<LaneCounter<16>>());
-  EXPECT_TRUE(names_the_host<detail::SiteCounts<16>>());
   EXPECT_TRUE((names_the_host<Site<16, Mode::kCounting>>()));
   EXPECT_TRUE((names_the_host<Block<16, Mode::kCounting>>()));
   EXPECT_TRUE((names_the_host<Machine<16, Mode::kUncounted>>()));

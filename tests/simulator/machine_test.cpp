@@ -218,8 +218,7 @@ struct OneOfTwo {
   static void apply(Mask<L>) {}
 };
 struct OtherOfTwo {
-  static constexpr InstructionInfo kInfo{"twin", "", InstructionClass::kSpecial,
-                                         Charge::kAllLanes};
+  static constexpr InstructionInfo kInfo{"twin", "", InstructionClass::kSpecial, Charge::kAllLanes};
   template <int L>
   static void apply(Mask<L>) {}
 };

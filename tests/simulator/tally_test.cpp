@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+
+#include "simulator/base/random.h"
 #include "simulator/instruction_set.h"
 
 namespace lanescope {
@@ -15,25 +18,31 @@ IssueList adds(std::uint64_t times) {
   return list;
 }
 
-/// However many lists a site goes through, one is kept; and none of a site that has ended.
-TEST(Tally, KeepsOneListForEachSite) {
+/// However many lists a site goes through, it has one log; and one that has ended leaves its log to
+/// the next.
+TEST(Tally, KeepsOneLogForEachSite) {
   Tally tally(8, 2);
-  const auto one = tally.keep(Tally::kNoPlace, 0, adds(1));
-  const auto other = tally.keep(Tally::kNoPlace, 1, adds(1));
-  EXPECT_NE(one, other);
-  for (std::uint64_t times = 2; times < 1000; ++times)
-    EXPECT_EQ(tally.keep(one, 0, adds(times)), one);
-  tally.forget(one);
-  EXPECT_EQ(tally.keep(Tally::kNoPlace, 1, adds(3)), one);
+  SiteLog& one = tally.open(0);
+  SiteLog& other = tally.open(1);
+  EXPECT_NE(&one, &other);
+  for (std::uint64_t times = 1; times < 1000; ++times) {
+    one.list = adds(times);
+    tally.take(one);
+  }
+  tally.close(one);
+  EXPECT_EQ(&tally.open(1), &one);
 }
 
 TEST(Tally, MultipliesExecutionsByTheList) {
   Tally tally(8, 1);
-  const std::uint64_t lanes[8] = {5, 5, 2, 0, 0, 0, 0, 0};
-  std::uint64_t histogram[9] = {};
-  histogram[2] = 3;
-  histogram[3] = 2;
-  tally.add(tally.keep(Tally::kNoPlace, 0, adds(4)), lanes, histogram);
+  SiteLog& log = tally.open(0);
+  log.list = adds(4);
+  auto* next = log.begin<LoggedMask<8>>();
+  for (const int mask : {0b011, 0b011, 0b011, 0b111, 0b111})
+    *next++ = static_cast<LoggedMask<8>>(mask);
+  log.sum_up(next);
+  tally.take(log);
+  tally.take(log);  // is empty
   const Counts counts = tally.counts();
   EXPECT_EQ(counts.stages[0].total().issued, 4u * 5);
   EXPECT_EQ(counts.stages[0].total().active, 4u * (3 * 2 + 2 * 3));
@@ -52,6 +61,22 @@ TEST(Tally, ChargesWhatIsIssuedByItself) {
   EXPECT_EQ(counts.stages[0].histogram, (std::vector<std::uint64_t>{1, 0, 0, 1, 0, 0, 0, 0, 0}));
 }
 
+template <int N>
+struct Foreign {
+  static constexpr InstructionInfo kInfo{"foreign", "", InstructionClass::kSpecial};
+};
+
+/// Descriptors may stand at equal distances.
+TEST(Signature, TellsPairsOfForeignInstructionsApart) {
+  const auto one = detail::signature_of<Foreign<1>, false>();
+  const auto two = detail::signature_of<Foreign<2>, false>();
+  const auto three = detail::signature_of<Foreign<3>, false>();
+  EXPECT_NE(one + three, two + two);
+  EXPECT_NE(one + two, three + three);
+  EXPECT_NE(two + three, one + one);
+  EXPECT_NE(one, (detail::signature_of<Foreign<1>, true>()));
+}
+
 /// A signature tells what was issued, not in which order.
 TEST(Signature, IsASum) {
   const auto add = detail::signature_of<isa::Add, false>();
@@ -61,6 +86,39 @@ TEST(Signature, IsASum) {
   EXPECT_NE(add, extra_add);
   EXPECT_NE(add + add, mul);
   EXPECT_NE(add + extra_add, add + mul);
+}
+
+template <class Word>
+void check_sums() {
+  std::vector<Word> masks;
+  MaskSums sums, expected;
+  for (std::size_t size = 0; size <= MaskSums::kMostBytes / sizeof(Word); size += 1 + size / 3) {
+    masks.clear();
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::uint64_t hash = mix64(size * 4096 + i);
+      masks.push_back(static_cast<Word>(hash % 5 == 0   ? ~std::uint64_t{0}
+                                        : hash % 5 == 1 ? 0
+                                                        : mix64(hash)));
+      for (int lane = 0; lane < 64; ++lane)
+        expected.lanes[static_cast<std::size_t>(lane)] += std::uint64_t{masks.back()} >> lane & 1;
+      ++expected.histogram[static_cast<std::size_t>(std::popcount(masks.back()))];
+    }
+    sums.add<Word>(masks.data(), masks.data() + masks.size());
+    EXPECT_EQ(sums.lanes, expected.lanes) << size;
+    EXPECT_EQ(sums.histogram, expected.histogram) << size;
+  }
+  // As many as there may be, all lanes on.
+  masks.assign(MaskSums::kMostBytes / sizeof(Word), static_cast<Word>(~Word{0}));
+  MaskSums full;
+  full.add<Word>(masks.data(), masks.data() + masks.size());
+  EXPECT_EQ(full.histogram[8 * sizeof(Word)], masks.size());
+  EXPECT_EQ(full.lanes[8 * sizeof(Word) - 1], masks.size());
+}
+
+TEST(MaskSums, EqualALoopOverLanes) {
+  check_sums<std::uint16_t>();
+  check_sums<std::uint32_t>();
+  check_sums<std::uint64_t>();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "simulator/base/choice.h"
 #include "workloads/geometry/scene.h"
 #include "workloads/geometry/vector.h"
 
@@ -18,6 +19,9 @@ enum class MeshPatches {
   kPn,      ///< A cubic that follows the normals at the corners (Vlachos et al. 2001).
   kPhong,   ///< A quadratic that does (Boubekeur and Alexa 2008).
 };
+
+inline constexpr std::array<Choice<MeshPatches>, 3> kMeshPatches{
+    {{"linear", MeshPatches::kLinear}, {"pn", MeshPatches::kPn}, {"phong", MeshPatches::kPhong}}};
 
 struct TriangleMesh {
   struct Corner {

@@ -10,15 +10,17 @@
 #include <new>
 #include <string_view>
 
+#include "simulator/base/choice.h"
+#include "workloads/work.h"
+
 namespace lanescope {
 
 /// The shape of a micropolygon; the value is its number of corners.
 enum class Micropolygon { kTriangle = 3, kQuad = 4 };
 
 constexpr int corner_count(Micropolygon micropolygon) { return static_cast<int>(micropolygon); }
-constexpr std::string_view to_string(Micropolygon micropolygon) {
-  return micropolygon == Micropolygon::kTriangle ? "triangle" : "quad";
-}
+inline constexpr std::array<Choice<Micropolygon>, 2> kShapes{
+    {{"triangle", Micropolygon::kTriangle}, {"quad", Micropolygon::kQuad}}};
 
 /// A vertex is seven floats, 28 bytes (the thesis, 3.2.1): position in sub-pixel cells with y down
 /// (x and y are multiples of kSubpixel), depth (smaller is nearer, positive), and colour in [0, 1].
@@ -41,7 +43,7 @@ struct Vertex {
 ///
 /// Every array holds `padded_capacity` floats (a multiple of 64, the widest machine), zero beyond
 /// `size`, so that whole vectors can be loaded anywhere in it.
-class Packet {
+class Packet final : public Work {
  public:
   /// Requires capacity > 0.
   Packet(Micropolygon shape, int capacity);
@@ -51,6 +53,9 @@ class Packet {
   int capacity() const { return capacity_; }
   int padded_capacity() const { return padded_capacity_; }
   bool full() const { return size_ == capacity_; }
+
+  std::uint64_t element_count() const override { return static_cast<std::uint64_t>(size_); }
+  std::uint64_t hash() const override;
 
   /// Identity of the first micropolygon in the scene; micropolygon i of the packet is first_id + i.
   /// The same at any number of threads.

@@ -52,13 +52,15 @@ class SegmentTessellator {
  public:
   SegmentTessellator(const Projection& projection, const Lighting& lighting,
                      const TessellationOptions& options, const Tessellator::PacketSink& sink,
-                     std::uint64_t first_id)
+                     std::uint64_t segment)
       : projection_(projection),
         options_(options),
         sink_(sink),
-        grid_(projection, lighting, options.samples_per_axis, options.grid_overlap_px),
+        grid_(projection, lighting, samples_per_axis(options.samples_per_pixel),
+              options.grid_overlap_px),
         packet_(options.shape, options.packet_capacity) {
-    packet_.first_id = first_id;
+    packet_.first_id = segment << 32;
+    packet_.segment = segment;
   }
 
   void add(const Patch& patch) {
@@ -148,6 +150,7 @@ class SegmentTessellator {
   void flush() {
     sink_(packet_);
     packet_.clear(packet_.first_id + static_cast<std::uint64_t>(packet_.size()));
+    ++packet_.ordinal;
   }
 
   const Projection& projection_;
@@ -159,35 +162,16 @@ class SegmentTessellator {
 };
 
 void check(const TessellationOptions& options) {
-  const auto require = [](bool sound, std::string_view option, auto value, std::string_view range) {
-    if (!sound) throw InputError(option, "{} is out of range; use {}", value, range);
-  };
-  require(options.width_px >= 1 && options.width_px <= 16384, "--resolution", options.width_px,
-          "a width of 1 to 16384");
-  require(options.height_px >= 1 && options.height_px <= 16384, "--resolution", options.height_px,
-          "a height of 1 to 16384");
-  require(options.dice_area_px >= 0.01f && options.dice_area_px <= 10000.0f, "--dice-area",
-          options.dice_area_px, "0.01 to 10000 pixels");
-  require(options.grid_limit >= 1 && options.grid_limit <= 128, "--grid", options.grid_limit,
-          "1 to 128");
-  require(options.packet_capacity >= 1 && options.packet_capacity <= 1 << 20, "--drain",
-          options.packet_capacity, "1 to 1048576");
-  LANESCOPE_CHECK(options.samples_per_axis >= 1 && options.samples_per_axis <= 8,
-                  "samples per axis {}", options.samples_per_axis);
-  LANESCOPE_CHECK(options.grid_overlap_px >= 0.0f, "overlap {}", options.grid_overlap_px);
+  for (const auto& binding : tessellation_parameters()) {
+    const Value value = binding.get(options);
+    const Parameter& parameter = binding.parameter();
+    if (!parameter.allows(value))
+      throw ParameterError(parameter.words, fmt::format("{} is not {}", value_text(value),
+                                                        parameter.allowed_values()));
+  }
 }
 
 }  // namespace
-
-TessellationCounts& TessellationCounts::operator+=(const TessellationCounts& other) {
-  patches_culled += other.patches_culled;
-  patches_split += other.patches_split;
-  patches_dropped += other.patches_dropped;
-  grids += other.grids;
-  micropolygons += other.micropolygons;
-  dropped += other.dropped;
-  return *this;
-}
 
 Tessellator::Tessellator(const Scene& scene, const TessellationOptions& options)
     : scene_(scene), options_(options) {
@@ -228,7 +212,7 @@ TessellationCounts Tessellator::tessellate(int segment, const PacketSink& sink) 
   LANESCOPE_CHECK(segment >= 0 && segment < segment_count(), "segment {} of {}", segment,
                   segment_count());
   SegmentTessellator work(projection_, scene_.lighting, options_, sink,
-                          static_cast<std::uint64_t>(segment) << 32);
+                          static_cast<std::uint64_t>(segment));
   const auto s = static_cast<std::size_t>(segment);
   for (std::size_t i = segment_starts_[s]; i < segment_starts_[s + 1]; ++i) work.add(patches_[i]);
   return work.finish();

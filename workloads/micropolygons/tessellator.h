@@ -3,48 +3,44 @@
 // micropolygons grid by grid.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "workloads/geometry/camera.h"
+#include "workloads/geometry/scene.h"
 #include "workloads/micropolygons/grid.h"
 #include "workloads/micropolygons/micropolygon.h"
+#include "workloads/micropolygons/options.h"
 #include "workloads/micropolygons/patch.h"
-#include "workloads/micropolygons/scene.h"
 
 namespace lanescope {
 
-struct TessellationOptions {
-  int width_px = 1728;
-  int height_px = 1080;
-  /// Sub-pixel cells along each side of a pixel, as in the SampleGrid that the packets are for:
-  /// vertices come out in cells.
-  int samples_per_axis = 2;
-  Micropolygon shape = Micropolygon::kTriangle;
-  /// Target area of a quad of the grid in pixels; a triangle has half of it.
-  float dice_area_px = 1.0f;
-  /// A grid has at most grid_limit x grid_limit quads.
-  int grid_limit = 16;
-  /// Micropolygons in a packet; kernels drain at its end (the `--drain` option).
-  int packet_capacity = 2880;
-  /// How far the outer vertices of each grid are moved outward, so that neighbouring grids of
-  /// different rates leave no cracks.
-  float grid_overlap_px = kGridOverlapPx;
-};
-
 /// What the tessellator did; sums over segments.
 struct TessellationCounts {
-  std::uint64_t patches_culled = 0;  ///< Patches dropped because they are outside the view.
+  std::uint64_t patches_culled = 0;
   std::uint64_t patches_split = 0;
-  std::uint64_t patches_dropped =
-      0;  ///< At the depth limit partly behind the camera or not finite.
+  std::uint64_t patches_dropped = 0;
   std::uint64_t grids = 0;
-  std::uint64_t micropolygons = 0;  ///< Emitted.
-  std::uint64_t dropped = 0;        ///< Not emitted: behind the camera or not finite.
+  std::uint64_t micropolygons = 0;
+  std::uint64_t dropped = 0;
 
-  TessellationCounts& operator+=(const TessellationCounts& other);
+  /// In the order of kTessellationCounters.
+  std::vector<std::uint64_t> values() const {
+    return {patches_culled, patches_split, patches_dropped, grids, micropolygons, dropped};
+  }
 };
+
+inline constexpr std::array<CounterInfo, 6> kTessellationCounters{{
+    {"patches_culled", "patches dropped because they are outside the view", "patches"},
+    {"patches_split", "patches cut in two", "patches"},
+    {"patches_dropped", "patches at the depth limit, partly behind the camera or not finite",
+     "patches"},
+    {"grids", "grids diced", "grids"},
+    {"micropolygons", "micropolygons emitted", "micropolygons"},
+    {"dropped", "micropolygons not emitted: behind the camera or not finite", "micropolygons"},
+}};
 
 /// Turns a scene into packets. A scene is divided into segments, which are independent of one
 /// another: each ends with a packet of its own, so that any number of threads can take segments in

@@ -16,13 +16,13 @@ DataFrame rows(const Report& report, const LaneChart& chart) {
                                   {"share", kShareTitle, ".2%"}}));
   for (const RunRecord& run : report.runs) {
     const Configuration& c = run.configuration;
+    const std::string facet = shown_facet({c.kernel, facet_of(c)});
     for (const StageRecord& stage : run.stages) {
       const std::uint64_t issued = stage.total().issued;
       const std::vector<std::uint64_t>& counts = chart.counts(stage);
       for (std::size_t place = 0; place < counts.size(); ++place)
         if (const auto share = Ratio{counts[place], issued}.value())
-          frame.add({shown_kernel(c.kernel), shown_shape(c.shape()), c.width, c.scene, stage.name,
-                     place, *share});
+          frame.add({shown_kernel(c.kernel), facet, c.width, c.scene, stage.name, place, *share});
     }
   }
   return frame;
@@ -33,7 +33,7 @@ DataFrame rows(const Report& report, const LaneChart& chart) {
 std::vector<Block> lane_chart(const ReportView& view, const LaneChart& chart) {
   constexpr std::string_view kSpec = R"json({
     "transform": [
-      {"filter": "datum.scene == pick_scene && datum.micropolygon == pick_shape"},
+      {"filter": "datum.scene == pick_scene && datum.facet == pick_facet"},
       {"filter": "datum.lanes == pick_lanes"},
       {"calculate": "datum.place - 0.5", "as": "left"},
       {"calculate": "datum.place + 0.5", "as": "right"}],
@@ -58,7 +58,7 @@ std::vector<Block> lane_chart(const ReportView& view, const LaneChart& chart) {
   encoding["y"]["title"] = kShareTitle;
   encoding["color"]["legend"] = nullptr;  // The headings say it.
   spec["params"] = {choice("pick_scene", "Scene", scenes_of(report), view.scenes().front()),
-                    choice_of_shape(report), choice_of_lanes(report)};
+                    choice_of_facet(report), choice_of_lanes(report)};
   return {Chart{"panels", chart.caption, std::move(spec), rows(report, chart)}};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Charts of the lanes of a stage: one scene, kind of micropolygon and W at a time, chosen beside
-// the chart; a panel for each kernel and stage.
+// Charts of the lanes of a stage: one scene, facet and W at a time, chosen beside the chart; a
+// panel for each kernel and stage.
 #pragma once
 
 #include <cstdint>

@@ -3,84 +3,86 @@
 
 #include <algorithm>
 
-#include "analysis/html/section.h"
+#include "analysis/html/charts/overhead_chart.h"
 #include "analysis/html/spec.h"
-#include "analysis/tables/thesis.h"
-#include "analysis/tables/thesis_figures.h"
+#include "analysis/tables/means.h"
 
 namespace lanescope {
 namespace {
 
-/// Table 4.3, which is of REPACK on triangles and of no width in particular.
-std::optional<double> thesis_overhead(const Series& series, const std::string& stage) {
-  if (series.kernel != kRepackTriangle.kernel || series.shape != kRepackTriangle.shape) return {};
-  return thesis_value({"table_4_3", "overhead", stage});
+constexpr std::size_t kPanelPx = 125;
+
+std::vector<DataColumn> columns(const std::optional<PaperOverhead>& paper) {
+  std::vector<DataColumn> list{{"stage", "Stage", ""}, {"share", "Overhead", ".1%"}};
+  if (paper) list.push_back({"paper", paper->title, ".0%"});
+  return list;
 }
 
-bool marks_overhead(const ReportView& view, const Series& series) {
-  for (const std::string& stage : stages_of(view.report()))
-    for (const int width : view.widths(series))
-      if (overhead_share(view, series, stage, width).value_or(0.0) > 0.0) return true;
-  return false;
-}
-
-DataFrame rows(const ReportView& view) {
-  DataFrame frame(series_columns({{"stage", "Stage", ""},
-                                  {"share", "Overhead", ".1%"},
-                                  {"thesis", "Thesis, of no width in particular", ".0%"}}));
+DataFrame rows(const ReportView& view, const std::optional<PaperOverhead>& paper) {
+  DataFrame frame(series_columns(columns(paper)));
   for (const Series& series : series_of(view.report())) {
     if (!marks_overhead(view, series)) continue;
     for (const int width : view.widths(series))
       for (const std::string& stage : stages_of(view.report()))
-        if (const auto share = overhead_share(view, series, stage, width))
-          frame.add({shown_kernel(series.kernel), shown_shape(series.shape), width, stage, *share,
-                     number_or_null(thesis_overhead(series, stage))});
+        if (const auto share = mean_stage_overhead(view, series, stage, width)) {
+          std::vector<DataFrame::Json> row{shown_kernel(series.kernel), shown_facet(series), width,
+                                           stage, *share};
+          if (paper) row.push_back(number_or_null(paper->figure(series, stage)));
+          frame.add(std::move(row));
+        }
   }
   return frame;
 }
 
-bool has_thesis(const DataFrame& shares) {
-  return std::any_of(shares.rows().begin(), shares.rows().end(),
-                     [](const auto& row) { return !row.back().is_null(); });
+bool has_paper(const DataFrame& shares, const std::optional<PaperOverhead>& paper) {
+  return paper && std::any_of(shares.rows().begin(), shares.rows().end(),
+                              [](const auto& row) { return !row.back().is_null(); });
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<Block> build(const ReportView& view) { return overhead_chart(view); }
+
+}  // namespace
+
+std::vector<Block> overhead_chart(const ReportView& view,
+                                  const std::optional<PaperOverhead>& paper) {
   constexpr std::string_view kSpec = R"json({
-    "transform": [{"calculate": "datum.kernel + ', ' + datum.micropolygon", "as": "series"}],
+    "transform": [{"calculate": "datum.kernel + (datum.facet ? ', ' + datum.facet : '')",
+                   "as": "series"}],
     "facet": {
       "column": {"field": "stage", "title": null, "sort": "@stages"},
-      "row": {"field": "series", "title": null, "sort": []}},
+      "row": {"field": "series", "title": null, "sort": [],
+              "header": {"labelExpr": "split(datum.label, ', ')"}}},
     "spec": {
-      "width": 125, "height": 160,
+      "height": 160,
       "encoding": {
-        "x": {"field": "lanes", "type": "ordinal", "title": "W (lanes)", "axis": {"labelAngle": 0}},
+        "x": "@W",
         "y": {"type": "quantitative", "title": "Overhead", "axis": {"format": "%"}}},
       "layer": [
         {"mark": "bar",
          "encoding": {"y": {"field": "share", "type": "quantitative"}, "color": "@stage"}},
-        {"transform": [{"filter": "isValid(datum.thesis)"}],
-         "mark": {"type": "tick", "color": "currentColor", "thickness": 2, "width": 26},
-         "encoding": {"y": {"field": "thesis", "type": "quantitative"}}}]}
+        {"transform": [{"filter": "isValid(datum.paper)"}],
+         "mark": {"type": "tick", "color": "currentColor", "thickness": 2},
+         "encoding": {"y": {"field": "paper", "type": "quantitative"}}}]}
   })json";
-  DataFrame shares = rows(view);
+  DataFrame shares = rows(view, paper);
   auto spec = spec_from(kSpec, view.report());
-  if (!has_thesis(shares)) spec["spec"]["layer"].erase(1);
+  spec["spec"]["width"] = kPanelPx;
+  if (has_paper(shares, paper))
+    spec["spec"]["layer"][1]["mark"]["width"] =
+        std::min<std::size_t>(26, kPanelPx / widths_of(view.report()).size());
+  else
+    spec["spec"]["layer"].erase(1);
   auto& order = spec["facet"]["row"]["sort"];
-  for (const Series& series : series_of(view.report()))
-    order.push_back(fmt::format("{}, {}", shown_kernel(series.kernel), shown_shape(series.shape)));
+  for (const Series& series : series_of(view.report())) order.push_back(shown(series));
   spec["spec"]["layer"][0]["encoding"]["color"]["legend"] = nullptr;  // The headings say it.
   return {Chart{"shares",
-                "Share of the instructions of each stage that the kernel marks as overhead, " +
-                    view.caption() +
-                    ". Strokes: the thesis's figures of table 4.3, which it gives for no width in "
-                    "particular. Kernels that mark nothing are left out.",
+                fmt::format("Share of the instructions of each stage that the kernel marks as "
+                            "overhead, {}.{}{} Kernels that mark nothing are left out.",
+                            view.caption(), paper ? " " : "", paper ? paper->note : ""),
                 std::move(spec), std::move(shares)}};
 }
 
-}  // namespace
-
-extern const Section s_overhead{
-    "overhead", "Overhead",
-    "What is spent on loading from, compacting into and scheduling of buffers.", build};
+extern const Section s_overhead{"overhead", "Overhead",
+                                "Work that the baseline of the kernel does not have to do.", build};
 
 }  // namespace lanescope

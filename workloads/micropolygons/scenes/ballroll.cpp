@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A stitched ball rolls over sand among pebbles and leaves a track.
 #include "simulator/base/random.h"
-#include "workloads/micropolygons/scene.h"
 #include "workloads/micropolygons/scenes/parts.h"
+#include "workloads/micropolygons/surface_scene.h"
 
 namespace lanescope {
 namespace {
@@ -125,10 +125,9 @@ Scene build(int frame) {
 
 }  // namespace
 
-extern const SceneDescriptor s_ballroll = {
+extern const SurfaceScene s_ballroll = {
     .name = "ballroll",
     .summary = "a stitched ball rolls over rippled sand among pebbles",
-    .thesis_like = true,
     .default_frame = 26,
     .frame_count = kFrames,
     .build = build,

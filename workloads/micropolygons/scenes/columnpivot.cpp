@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The camera pivots in a court of fluted columns.
 #include "simulator/base/random.h"
-#include "workloads/micropolygons/scene.h"
 #include "workloads/micropolygons/scenes/parts.h"
+#include "workloads/micropolygons/surface_scene.h"
 
 namespace lanescope {
 namespace {
@@ -158,10 +158,9 @@ Scene build(int frame) {
 
 }  // namespace
 
-extern const SceneDescriptor s_columnpivot = {
+extern const SurfaceScene s_columnpivot = {
     .name = "columnpivot",
     .summary = "the camera pivots in a court of weathered, fluted columns",
-    .thesis_like = true,
     .default_frame = 22,
     .frame_count = kFrames,
     .build = build,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A modelled head talks in front of a curtain; the mouth opens and closes.
-#include "workloads/micropolygons/scene.h"
 #include "workloads/micropolygons/scenes/parts.h"
+#include "workloads/micropolygons/surface_scene.h"
 
 namespace lanescope {
 namespace {
@@ -251,10 +251,9 @@ Scene build(int frame) {
 
 }  // namespace
 
-extern const SceneDescriptor s_talking = {
+extern const SurfaceScene s_talking = {
     .name = "talking",
     .summary = "a modelled head talks in front of a curtain",
-    .thesis_like = true,
     .default_frame = 5,
     .frame_count = kFrames,
     .build = build,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Newell's teapot (1975) on a wooden table before a curtain.
 #include "workloads/geometry/bezier.h"
-#include "workloads/micropolygons/scene.h"
 #include "workloads/micropolygons/scenes/parts.h"
+#include "workloads/micropolygons/surface_scene.h"
 
 namespace lanescope {
 namespace {
@@ -108,10 +108,9 @@ Scene build(int frame) {
 
 }  // namespace
 
-extern const SceneDescriptor s_teapot = {
+extern const SurfaceScene s_teapot = {
     .name = "teapot",
     .summary = "Newell's teapot (1975), 32 bicubic patches, on a wooden table",
-    .thesis_like = false,
     .default_frame = 4,
     .frame_count = kFrames,
     .build = build,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A tiger leaps over a boulder in a hilly meadow.
 #include "simulator/base/random.h"
-#include "workloads/micropolygons/scene.h"
 #include "workloads/micropolygons/scenes/parts.h"
+#include "workloads/micropolygons/surface_scene.h"
 
 namespace lanescope {
 namespace {
@@ -225,10 +225,9 @@ Scene build(int frame) {
 
 }  // namespace
 
-extern const SceneDescriptor s_tigerjump = {
+extern const SurfaceScene s_tigerjump = {
     .name = "tigerjump",
     .summary = "a tiger in mid-leap over boulders in a hilly meadow",
-    .thesis_like = true,
     .default_frame = 26,
     .frame_count = kFrames,
     .build = build,

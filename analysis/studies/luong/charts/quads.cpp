@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/html/section.h"
+#include "analysis/html/spec.h"
+#include "analysis/studies/luong/charts/mp_columns.h"
+#include "analysis/studies/luong/figures.h"
+
+namespace lanescope::luong {
+namespace {
+
+/// All instructions of the stages of the thesis on the triangles of a scene.
+std::optional<double> whole(const ReportView& view, std::string_view kernel,
+                            const std::string& scene, int width) {
+  const RunRecord* run = view.find({std::string(kernel), std::string(kTriangle)}, scene, width);
+  if (!run) return std::nullopt;
+  return static_cast<double>(total(*run, kAllButSetup).issued);
+}
+
+DataFrame rows(const ReportView& view) {
+  DataFrame frame(mp_columns({{"scene", "Scene", ""},
+                              {"stage", "Stage", ""},
+                              {"place", "Place of the stage", ""},
+                              {"millions", "Million instructions", ".2f"},
+                              {"relative", "Of the triangles' total", ".3f"}}));
+  const std::vector<std::string> stages = stages_of(view.report());
+  for (const Series& series : series_of(view.report()))
+    for (const int width : view.widths(series))
+      for (const std::string& scene : scenes_of(view.report())) {
+        const RunRecord* run = view.find(series, scene, width);
+        for (std::size_t i = 0; run && i < stages.size(); ++i) {
+          const StageRecord* stage = run->stage(stages[i]);
+          if (!stage || stages[i] == kSetup) continue;
+          const auto issued = static_cast<double>(stage->total().issued);
+          // Without triangles there is nothing to compare with.
+          if (const auto relative = quotient(issued, whole(view, series.kernel, scene, width)))
+            frame.add({shown_kernel(series.kernel), plural(series.facet), width, scene, stages[i],
+                       i, issued * 1e-6, *relative});
+        }
+      }
+  return frame;
+}
+
+std::vector<Block> build(const ReportView& view) {
+  constexpr std::string_view kSpec = R"json({
+    "transform": [
+      {"filter": "datum.kernel == pick_kernel && datum.lanes == pick_lanes"}],
+    "width": {"step": 40}, "height": 260,
+    "mark": "bar",
+    "encoding": {
+      "column": {"field": "scene", "title": null, "sort": "@scenes"},
+      "x": {"field": "micropolygon", "type": "nominal", "title": null,
+            "sort": ["triangles", "quads"], "axis": {"labelAngle": -90}},
+      "y": {"field": "relative", "type": "quantitative",
+            "title": "Instructions, relative to the scene's triangles"},
+      "order": {"field": "place"},
+      "color": "@stage"}
+  })json";
+  auto spec = spec_from(kSpec, view.report());
+  spec["params"] = {choice_of_kernel(view.report()), choice_of_lanes(view.report())};
+  return {Chart{"scenes",
+                "All instructions of each scene by stage, without Setup, relative to those of the "
+                "scene's triangles: figure 4.2 of the thesis.",
+                std::move(spec), rows(view)}};
+}
+
+}  // namespace
+}  // namespace lanescope::luong
+
+namespace lanescope {
+
+extern const Section luong_s_quads{"quads", "Triangles against quads",
+                                   "One quad covers what two triangles do, for fewer instructions.",
+                                   luong::build};
+
+}  // namespace lanescope

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/studies/luong/tables/utilization.h"
+
+namespace lanescope::luong {
+namespace {
+
+TableData build(const ReportView& view) {
+  return build_utilization(view, utilization_table("4.4"));
+}
+
+}  // namespace
+}  // namespace lanescope::luong
+
+namespace lanescope {
+
+extern const Table luong_t_utilization_lockstep_quad{
+    "utilization_lockstep_quad", "table 4.4: utilization of LOCKSTEP by stage, quads",
+    luong::build};
+
+}  // namespace lanescope

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// The study's sections of the page: charts and where they stand.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/studies/luong/charts/crossing_point.h"
+#include "analysis/studies/luong/study.h"
+#include "tests/analysis/sample_report.h"
+
+namespace lanescope::luong {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using lanescope::testing::sample_report;
+
+TEST(LuongCrossing, InterpolatesOverTheLogarithmOfW) {
+  // Halfway between 8 and 16 on a logarithmic scale is sqrt(8 * 16).
+  EXPECT_NEAR(*crossing_point({{8, 1.25}, {16, 0.75}}), std::sqrt(128.0), 1e-9);
+  // A quarter of two octaves: 8 * 2^0.5.
+  EXPECT_NEAR(*crossing_point({{8, 1.25}, {32, 0.25}}), 8.0 * std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(*crossing_point({{4, 1.5}, {8, 1.25}, {16, 0.75}}), std::sqrt(128.0), 1e-9);
+}
+
+TEST(LuongCrossing, FromEitherSideAndAtAWidth) {
+  EXPECT_NEAR(*crossing_point({{8, 0.75}, {16, 1.25}}), std::sqrt(128.0), 1e-9);
+  EXPECT_EQ(crossing_point({{8, 1.5}, {16, 1.0}, {32, 0.5}}), 16.0);
+  EXPECT_EQ(crossing_point({{8, 1.0}}), 8.0);
+}
+
+TEST(LuongCrossing, IsNoneOnOneSide) {
+  EXPECT_EQ(crossing_point({{8, 1.5}, {16, 1.1}}), std::nullopt);
+  EXPECT_EQ(crossing_point({{8, 0.9}}), std::nullopt);
+  EXPECT_EQ(crossing_point({}), std::nullopt);
+}
+
+/// The chart of a section of the sample.
+Chart chart_of(const Report& report, std::string_view section_id, std::string_view chart_id) {
+  for (const Section* section : luong_sections()) {
+    if (section->id != section_id) continue;
+    for (Block& block : section->build(view_of(study_luong, report)))
+      if (Chart* chart = std::get_if<Chart>(&block); chart && chart->id == chart_id) return *chart;
+  }
+  ADD_FAILURE() << section_id << ' ' << chart_id;
+  return {};
+}
+
+/// The last value of the row that begins with these values.
+Json last_of(const Chart& chart, const std::vector<Json>& begin, std::size_t from_end = 0) {
+  for (const std::vector<Json>& row : chart.rows.rows())
+    if (std::equal(begin.begin(), begin.end(), row.begin())) return row[row.size() - 1 - from_end];
+  ADD_FAILURE() << "no row " << Json(begin).dump();
+  return {};
+}
+
+TEST(LuongCharts, UtilizationIsSummedWithoutSetup) {
+  const Chart chart = chart_of(sample_report(), "utilization", "lines");
+  // 492 / (100 * 8) and 448 / (100 * 8).
+  EXPECT_NEAR(
+      last_of(chart, {"LOCKSTEP", "micropolygon = triangle", 8, "All but Setup"}).get<double>(),
+      0.5875, 1e-9);
+}
+
+TEST(LuongCharts, OverheadStandsBesideTable43) {
+  const Chart chart = chart_of(sample_report(), "overhead", "shares");
+  // 15 / 60 and 10 / 40, beside the 26% of table 4.3.
+  EXPECT_EQ(last_of(chart, {"REPACK", "micropolygon = triangle", 8, "Test"}, 1), Json(0.25));
+  EXPECT_EQ(last_of(chart, {"REPACK", "micropolygon = triangle", 8, "Test"}), Json(0.26));
+  EXPECT_EQ(last_of(chart, {"REPACK", "micropolygon = quad", 8, "Test"}), Json(nullptr));
+  for (const auto& row : chart.rows.rows()) EXPECT_EQ(row[0], Json("REPACK"));
+}
+
+TEST(LuongCharts, CrossingComparesInstructionsForEachMicropolygon) {
+  const Report report = sample_report();
+  const Chart stages = chart_of(report, "crossing", "stages");
+  // 60 / 20 and 60 / 10.
+  EXPECT_EQ(last_of(stages, {"LOCKSTEP", "triangles", 8, "Test"}), Json(4.5));
+  for (const auto& row : stages.rows.rows()) EXPECT_NE(row[3], Json("Setup"));
+  // LOCKSTEP 100 / 20 and 100 / 10; REPACK 100 / 20 and 80 / 10.
+  EXPECT_NEAR(last_of(chart_of(report, "crossing", "ratio"), {"triangles", 8}).get<double>(),
+              6.5 / 7.5, 1e-5);
+}
+
+TEST(LuongCharts, QuadsAreRelativeToTheTrianglesOfTheScene) {
+  const Chart chart = chart_of(sample_report(), "quads", "scenes");
+  // 48 of 100.
+  EXPECT_EQ(last_of(chart, {"LOCKSTEP", "quads", 8, "ballroll", "Test"}), Json(0.48));
+  EXPECT_EQ(last_of(chart, {"LOCKSTEP", "triangles", 8, "teapot", "Test"}), Json(0.5));
+}
+
+TEST(LuongCharts, WorkingSetAddsUpThePacketsOfItsScenes) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs)
+    if (run.configuration.kernel == "repack")
+      run.series = {{"working_set_course_sum", "", "", "", {16, 30}},
+                    {"working_set_course_packets", "", "", "", {2, 1}},
+                    {"working_set_histogram", "", "", "", {0, 1, 3}}};
+  const Chart course = chart_of(report, "working-set", "course");
+  EXPECT_EQ(last_of(course, {"REPACK", "triangles", 8, 1}), Json(1.0));
+  EXPECT_EQ(last_of(course, {"REPACK", "triangles", 8, 2}), Json(3.75));
+  EXPECT_EQ(last_of(chart_of(report, "working-set", "histogram"), {"REPACK", "triangles", 8, 0.25}),
+            Json(0.75));
+}
+
+TEST(LuongCharts, TheMapHasTheRoundedDifferencesOfTheTables) {
+  const Chart chart = chart_of(sample_report(), "against-thesis", "map");
+  // 85% against 98%.
+  EXPECT_EQ(last_of(chart, {"Table 4.1: LOCKSTEP, triangles", "Bound", "W = 8"}, 1), Json(-13.0));
+}
+
+TEST(LuongPage, ItsSectionsTakeTheirPlacesAmongTheGeneralOnes) {
+  const PagePlan plan = page_plan(sample_report(), {&study_luong});
+  std::vector<std::string> ids;
+  for (const Section* section : plan.sections) ids.emplace_back(section->id);
+  EXPECT_EQ(ids, (std::vector<std::string>{"headline", "utilization", "overhead", "active-lanes",
+                                           "lanes", "mix", "memory", "hot-lines", "crossing",
+                                           "quads", "working-set", "against-thesis"}));
+  EXPECT_EQ(plan.sections.front(), luong_sections().front());
+  EXPECT_EQ(plan.scenes,
+            (std::vector<std::string>{"ballroll", "columnpivot", "tigerjump", "talking"}));
+}
+
+TEST(LuongPage, OfOtherKernelsIsTheGeneralOne) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs) run.configuration.kernel = "unheard-of";
+  const PagePlan plan = page_plan(report, {&study_luong});
+  EXPECT_EQ(plan.sections, sections());
+  EXPECT_TRUE(plan.scenes.empty());
+}
+
+TEST(LuongPage, HasTwelveSectionsAndFourteenCharts) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs)
+    if (run.configuration.kernel == "repack")
+      run.series = {{"working_set_course_sum", "", "", "", {16, 30}},
+                    {"working_set_course_packets", "", "", "", {2, 1}},
+                    {"working_set_histogram", "", "", "", {0, 1, 3}}};
+  const std::vector<NamedReport> sources{{"a.json", report}};
+  const std::string page = report_page(
+      sources, ".", [](const Report& setting) { return page_plan(setting, {&study_luong}); });
+  const auto count = [&](std::string_view part) {
+    std::size_t found = 0;
+    for (std::size_t at = page.find(part); at != page.npos; at = page.find(part, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("<h2 id="), 2u + 12u);
+  EXPECT_EQ(count("<figure class=\"chart\""), 14u);
+  EXPECT_EQ(count("The reports have no such figures"), 0u);
+}
+
+TEST(LuongPage, OtherKindsOfWorkBesideItHaveTheGeneralSections) {
+  Report both = sample_report();
+  RunRecord other = both.runs.front();
+  other.configuration.kernel = "unheard-of";
+  other.workload = "others";
+  both.runs.push_back(other);
+  const std::string page = report_page({{"a.json", both}}, ".", [](const Report& setting) {
+    return page_plan(setting, {&study_luong});
+  });
+  EXPECT_NE(page.find("<h3 id=\"setting-1-crossing\">"), page.npos);
+  EXPECT_NE(page.find("<h3 id=\"setting-2-headline\">"), page.npos);
+  EXPECT_EQ(page.find("<h3 id=\"setting-2-crossing\">"), page.npos);
+}
+
+/// The scenes are in the study's experiment and its kernels are the program's.
+TEST(LuongStudy, NamesWhatTheProgramHas) {
+  for (const std::string_view kernel : study_luong.kernels) {
+    ASSERT_NE(known_kernel(kernel), nullptr) << kernel;
+    for (const std::string_view scene : study_luong.scenes)
+      EXPECT_NE(known_kernel(kernel)->workload->find_scene(scene), nullptr) << scene;
+    const std::vector<Parameter> parameters = parameters_of(*known_kernel(kernel));
+    for (const Study::Axis& axis : study_luong.axes)
+      EXPECT_TRUE(std::any_of(parameters.begin(), parameters.end(), [&](const Parameter& p) {
+        return p.name() == axis.parameter;
+      })) << axis.parameter;
+  }
+}
+
+}  // namespace
+}  // namespace lanescope::luong

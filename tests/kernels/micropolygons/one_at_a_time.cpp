@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "kernels/kernel.h"
+#include "kernels/micropolygons/counters.h"
+#include "kernels/micropolygons/frame_merge.h"
+#include "kernels/micropolygons/options.h"
+#include "kernels/widths.h"
+#include "tests/kernels/micropolygons/starters.h"
+#include "workloads/micropolygons/workload.h"
+
+namespace lanescope {
+namespace {
+
+constexpr std::string_view kStages[] = {"Setup", "Bound", "Test", "Process"};
+
+}  // namespace
+
+extern const Kernel k_one_at_a_time;
+const Kernel k_one_at_a_time{
+    .name = "one_at_a_time",
+    .summary = "one micropolygon at a time, a lane for each candidate sample of its box",
+    .workload = &w_micropolygons,
+    .parameters = joined(raster_parameters(), sampling_parameters()),
+    .stages = kStages,
+    .counters = std::span(kRasterizerCounters).first<kConflictHits + 1>(),
+    .metrics = std::span(kRasterizerMetrics).first<3>(),
+    .output_counters = kFrameCounters,
+    .element = kMicropolygon,
+    .instructions = kRasterizerInstructions,
+    .most_width = kMostLanes,
+    .open = open_frame,
+    .output_bytes = frame_bytes,
+    .start = start_one_at_a_time,
+};
+
+}  // namespace lanescope
