@@ -9,21 +9,6 @@
 #include "simulator/memory.h"
 
 namespace lanescope {
-namespace {
-
-void add(MemoryRecord& to, const MemoryRecord& from) {
-  to.issued += from.issued;
-  to.active += from.active;
-  to.lines += from.lines;
-  to.conflicts += from.conflicts;
-  if (to.lines_histogram.size() < from.lines_histogram.size())
-    to.lines_histogram.resize(from.lines_histogram.size());
-  for (std::size_t k = 0; k < from.lines_histogram.size(); ++k)
-    to.lines_histogram[k] += from.lines_histogram[k];
-}
-
-}  // namespace
-
 std::size_t MemoryAndSource::PlaceHash::operator()(const Place& place) const {
   const auto file = reinterpret_cast<std::uintptr_t>(place.file);
   const auto info = reinterpret_cast<std::uintptr_t>(place.info);
@@ -61,13 +46,10 @@ void MemoryAndSource::add_touches(MemoryRecord& memory, const IssueEvent& event)
     latest = byte;
     latest_line = line;
   }
-  // A lane may touch several words: there can be more lines than lanes.
-  memory.lines_histogram.resize(std::max(
-      {memory.lines_histogram.size(), lines + 1, static_cast<std::size_t>(event.width) + 1}));
   memory.issued += 1;
   memory.active += static_cast<std::uint64_t>(std::popcount(event.active));
   memory.lines += lines;
-  // Records of several words can touch more lines than there are lanes.
+  // A lane may touch several words: there can be more lines than lanes.
   const std::size_t places = std::max(static_cast<std::size_t>(event.width), lines) + 1;
   if (memory.lines_histogram.size() < places) memory.lines_histogram.resize(places);
   memory.lines_histogram[lines] += 1;
@@ -90,7 +72,7 @@ MemoryAndSource& MemoryAndSource::operator+=(const MemoryAndSource& other) {
     sum.issued += from.issued;
     sum.active += from.active;
     sum.overhead += from.overhead;
-    add(sum.memory, from.memory);
+    sum.memory += from.memory;
   }
   return *this;
 }
@@ -99,7 +81,7 @@ std::vector<MemoryRecord> MemoryAndSource::memory(std::size_t stage) const {
   std::map<std::string_view, MemoryRecord> by_mnemonic;
   for (const auto& [place, sum] : sums_)
     if (place.stage == stage && sum.memory.issued > 0)
-      add(by_mnemonic[place.info->mnemonic], sum.memory);
+      by_mnemonic[place.info->mnemonic] += sum.memory;
   std::vector<MemoryRecord> records;
   for (auto& [mnemonic, record] : by_mnemonic) {
     record.mnemonic = mnemonic;
