@@ -10,7 +10,9 @@
 namespace lanescope {
 
 void print(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+  // An empty view may have no characters to point at, which fwrite does not take.
+  const std::size_t written = text.empty() ? 0 : std::fwrite(text.data(), 1, text.size(), stdout);
+  if (written != text.size() || std::fflush(stdout) != 0)
     throw InputError("standard output", "cannot be written: {}", std::strerror(errno));
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "kernels/micropolygons/lockstep.h"
+
 #include "kernels/kernel.h"
 #include "kernels/micropolygons/counters.h"
 #include "kernels/micropolygons/frame_merge.h"
@@ -8,11 +10,6 @@
 #include "workloads/micropolygons/workload.h"
 
 namespace lanescope {
-namespace {
-
-constexpr std::string_view kStages[] = {"Setup", "Bound", "Test", "Process"};
-
-}  // namespace
 
 extern const Kernel k_lockstep;
 const Kernel k_lockstep{
@@ -20,7 +17,7 @@ const Kernel k_lockstep{
     .summary = "W micropolygons in lockstep, one in each lane (the thesis, 3.2.1)",
     .workload = &w_micropolygons,
     .parameters = joined(raster_parameters(), sampling_parameters()),
-    .stages = kStages,
+    .stages = kLockstepStages,
     .counters = std::span(kRasterizerCounters).first<kConflictHits + 1>(),
     .metrics = std::span(kRasterizerMetrics).first<3>(),
     .output_counters = kFrameCounters,

@@ -3,15 +3,23 @@
 // tests its i-th candidate in iteration i, until the largest box is done.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "kernels/micropolygons/vector_kernel.h"
 
 namespace lanescope {
+
+/// In the order of Lockstep::Stage.
+inline constexpr std::array<std::string_view, 4> kLockstepStages{"Setup", "Bound", "Test",
+                                                                 "Process"};
 
 template <class Vm, Micropolygon P, Edges E>
 class Lockstep {
  public:
   enum Stage : std::size_t { kSetup, kBound, kTest, kProcess };
-  static constexpr std::size_t kStageCount = kProcess + 1;
+  static constexpr std::size_t kStageCount = kLockstepStages.size();
+  static_assert(kProcess + 1 == kStageCount, "a stage has no name, or a name no stage");
   static constexpr std::size_t kCounterCount = kConflictHits + 1;
 
   Lockstep(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts,

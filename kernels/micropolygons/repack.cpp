@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "kernels/micropolygons/repack.h"
+
 #include "kernels/kernel.h"
 #include "kernels/micropolygons/counters.h"
 #include "kernels/micropolygons/frame_merge.h"
@@ -8,11 +10,6 @@
 #include "workloads/micropolygons/workload.h"
 
 namespace lanescope {
-namespace {
-
-constexpr std::string_view kStages[] = {"Setup", "Bound", "Test Stream-load", "Test", "Process"};
-
-}  // namespace
 
 extern const Kernel k_repack;
 const Kernel k_repack{
@@ -20,7 +17,7 @@ const Kernel k_repack{
     .summary = "work is compacted between stages to keep every lane busy (the thesis, 3.2.2)",
     .workload = &w_micropolygons,
     .parameters = joined(raster_parameters(), repack_parameters(), sampling_parameters()),
-    .stages = kStages,
+    .stages = kRepackStages,
     .counters = kRasterizerCounters,
     .metrics = kRasterizerMetrics,
     .series = kWorkingSetSeries,

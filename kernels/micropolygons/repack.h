@@ -9,8 +9,10 @@
 // drained at its end.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -18,11 +20,16 @@
 
 namespace lanescope {
 
+/// In the order of Repack::Stage.
+inline constexpr std::array<std::string_view, 5> kRepackStages{"Setup", "Bound", "Test Stream-load",
+                                                               "Test", "Process"};
+
 template <class Vm, Micropolygon P, Edges E>
 class Repack {
  public:
   enum Stage : std::size_t { kSetup, kBound, kStreamLoad, kTest, kProcess };
-  static constexpr std::size_t kStageCount = kProcess + 1;
+  static constexpr std::size_t kStageCount = kRepackStages.size();
+  static_assert(kProcess + 1 == kStageCount, "a stage has no name, or a name no stage");
   static constexpr std::size_t kCounterCount = kRasterizerCounterCount;
 
   Repack(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts,

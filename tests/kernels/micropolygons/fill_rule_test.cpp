@@ -15,7 +15,9 @@ namespace {
 TEST(FillRule, OwnsExactlyOneDirectionOfAnEdge) {
   for (float dx = -2; dx <= 2; ++dx)
     for (float dy = -2; dy <= 2; ++dy)
-      if (dx != 0 || dy != 0) EXPECT_NE(owns_edge(dx, dy), owns_edge(-dx, -dy));
+      if (dx != 0 || dy != 0) {
+        EXPECT_NE(owns_edge(dx, dy), owns_edge(-dx, -dy));
+      }
 }
 
 /// A frame of 24 x 24 cells covered by a mesh whose inner vertices are moved at random, by less

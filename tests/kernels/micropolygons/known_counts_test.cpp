@@ -145,7 +145,9 @@ void expect_invocations(std::string_view name, Micropolygon shape, const Invocat
   EXPECT_EQ(issued("Bound"), expected.bound);
   EXPECT_EQ(issued("Test"), 4 * expected.test + expected.compaction);
   EXPECT_EQ(issued("Process"), expected.process);
-  if (name == "repack") EXPECT_EQ(issued("Test Stream-load"), expected.stream_load);
+  if (name == "repack") {
+    EXPECT_EQ(issued("Test Stream-load"), expected.stream_load);
+  }
 }
 
 TEST(KnownCounts, InstructionsOfOneInvocation) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "tests/kernels/micropolygons/one_at_a_time.h"
+
 #include "kernels/kernel.h"
 #include "kernels/micropolygons/counters.h"
 #include "kernels/micropolygons/frame_merge.h"
@@ -8,11 +10,6 @@
 #include "workloads/micropolygons/workload.h"
 
 namespace lanescope {
-namespace {
-
-constexpr std::string_view kStages[] = {"Setup", "Bound", "Test", "Process"};
-
-}  // namespace
 
 extern const Kernel k_one_at_a_time;
 const Kernel k_one_at_a_time{
@@ -20,7 +17,7 @@ const Kernel k_one_at_a_time{
     .summary = "one micropolygon at a time, a lane for each candidate sample of its box",
     .workload = &w_micropolygons,
     .parameters = joined(raster_parameters(), sampling_parameters()),
-    .stages = kStages,
+    .stages = kOneAtATimeStages,
     .counters = std::span(kRasterizerCounters).first<kConflictHits + 1>(),
     .metrics = std::span(kRasterizerMetrics).first<3>(),
     .output_counters = kFrameCounters,

@@ -3,15 +3,23 @@
 // its box, as rasterizers of large polygons do. The first W samples, the next W, and so on.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "kernels/micropolygons/vector_kernel.h"
 
 namespace lanescope {
+
+/// In the order of OneAtATime::Stage.
+inline constexpr std::array<std::string_view, 4> kOneAtATimeStages{"Setup", "Bound", "Test",
+                                                                   "Process"};
 
 template <class Vm, Micropolygon P, Edges E>
 class OneAtATime {
  public:
   enum Stage : std::size_t { kSetup, kBound, kTest, kProcess };
-  static constexpr std::size_t kStageCount = kProcess + 1;
+  static constexpr std::size_t kStageCount = kOneAtATimeStages.size();
+  static_assert(kProcess + 1 == kStageCount, "a stage has no name, or a name no stage");
   static constexpr std::size_t kCounterCount = kConflictHits + 1;
 
   OneAtATime(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts,
