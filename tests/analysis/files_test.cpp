@@ -6,31 +6,20 @@
 #include <filesystem>
 
 #include "simulator/base/error.h"
+#include "tests/scratch_directory.h"
 
 namespace lanescope {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// An empty directory that goes away with the test.
 class Files : public ::testing::Test {
  protected:
-  Files() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory_ = fs::path(::testing::TempDir()) / ("lanescope-files-" + std::string(test->name()));
-    fs::remove_all(directory_);
-    fs::create_directory(directory_);
-  }
-  ~Files() override { fs::remove_all(directory_); }
-
   std::string path(const std::string& name) const { return directory_ / name; }
-  std::size_t entries() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(directory_), fs::directory_iterator()));
-  }
+  std::size_t entries() const { return directory_.entries().size(); }
 
  private:
-  fs::path directory_;
+  const testing::ScratchDirectory directory_;
 };
 
 TEST_F(Files, AppearWhole) {

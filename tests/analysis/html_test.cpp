@@ -16,6 +16,7 @@
 #include "analysis/pictures/image.h"
 #include "simulator/base/error.h"
 #include "tests/analysis/sample_report.h"
+#include "tests/scratch_directory.h"
 
 namespace lanescope {
 namespace {
@@ -352,8 +353,8 @@ TEST(HtmlPage, SaysWhichCommandDrawsAMissingPicture) {
 }
 
 TEST(HtmlPage, EmbedsThePictures) {
-  const std::string directory = ::testing::TempDir() + "html_pictures";
-  make_directory(directory);
+  const testing::ScratchDirectory scratch;
+  const std::string directory = scratch.path();
   write_file(directory + "/frame-ballroll.png", png({2, 1, {{255, 0, 0}, {0, 0, 255}}}));
   const std::string page = report_page({{"a.json", sample_report()}}, directory, general_plan);
   EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBOR"), 1u);

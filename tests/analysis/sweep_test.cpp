@@ -12,6 +12,7 @@
 #include "analysis/report/report_json.h"
 #include "tests/analysis/configured.h"
 #include "tests/analysis/test_kind.h"
+#include "tests/scratch_directory.h"
 
 namespace lanescope {
 namespace {
@@ -124,8 +125,8 @@ TEST(CellId, TellsParametersApart) {
 }
 
 TEST(CellId, IsOfTheContentOfAFile) {
-  const std::string path = fs::path(::testing::TempDir()) / "lanescope-cell-id.numbers";
-  fs::remove(path);
+  const testing::ScratchDirectory scratch;
+  const std::string path = scratch / "cell.numbers";
   const Configuration cell = testing::configured({{"kernel", "sum"}, {"scene", path}});
   const std::string absent = cell_id(cell);
   write_file(path, "1 2 3");
@@ -142,17 +143,10 @@ TEST(CellId, IsOfTheContentOfAFile) {
 
 class SweepInDirectory : public ::testing::Test {
  protected:
-  SweepInDirectory()
-      : path_(fs::path(::testing::TempDir()) /
-              (std::string("lanescope-sweep-") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name())),
-        directory_(path_) {
-    fs::remove_all(path_);
-    directory_.open();
-  }
-  ~SweepInDirectory() override { fs::remove_all(path_); }
+  SweepInDirectory() : path_(scratch_.path()), directory_(path_) { directory_.open(); }
 
-  fs::path path_;
+  const testing::ScratchDirectory scratch_;
+  const fs::path path_;
   SweepDirectory directory_;
 };
 

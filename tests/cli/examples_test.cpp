@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/cli/program.h"
+#include "tests/scratch_directory.h"
 
 namespace lanescope {
 namespace {
@@ -45,8 +46,8 @@ void furnish(const fs::path& directory) {
 }
 
 TEST(Examples, OfEveryCommandWork) {
-  const fs::path directory = fs::path(::testing::TempDir()) / "lanescope-examples";
-  fs::remove_all(directory);
+  const testing::ScratchDirectory scratch;
+  const fs::path& directory = scratch.path();
   furnish(directory);
   for (const std::string& name : testing::commands_and_studies()) {
     const auto examples = examples_in(lanescope_program(name + " --help").output);
@@ -56,7 +57,6 @@ TEST(Examples, OfEveryCommandWork) {
       EXPECT_EQ(outcome.status, 0) << example << "\n" << outcome.errors;
     }
   }
-  fs::remove_all(directory);
 }
 
 }  // namespace

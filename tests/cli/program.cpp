@@ -4,27 +4,24 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <regex>
 #include <sstream>
 
 #include "analysis/base/files.h"
+#include "tests/scratch_directory.h"
 
 namespace lanescope::testing {
 
 Outcome shell(const std::string& command_line, const std::string& directory) {
-  const std::string stem = fmt::format("{}lanescope-program-{}", ::testing::TempDir(), ::getpid());
-  const std::string command = fmt::format("cd '{}' && {} >'{}.out' 2>'{}.err' </dev/null",
-                                          directory, command_line, stem, stem);
+  const ScratchDirectory scratch;
+  const std::string output = scratch / "output", errors = scratch / "errors";
+  const std::string command =
+      fmt::format("cd '{}' && {} >'{}' 2>'{}' </dev/null", directory, command_line, output, errors);
   const int ended = std::system(command.c_str());
-  Outcome outcome{WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended),
-                  read_file(stem + ".out"), read_file(stem + ".err")};
-  std::filesystem::remove(stem + ".out");
-  std::filesystem::remove(stem + ".err");
-  return outcome;
+  return {WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended), read_file(output),
+          read_file(errors)};
 }
 
 Outcome lanescope_program(const std::string& arguments, const std::string& directory) {

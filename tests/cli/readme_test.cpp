@@ -8,6 +8,7 @@
 
 #include "analysis/base/files.h"
 #include "tests/cli/program.h"
+#include "tests/scratch_directory.h"
 
 namespace lanescope {
 namespace {
@@ -25,8 +26,8 @@ std::vector<std::string> commands_of_readme() {
 }
 
 TEST(Readme, EveryCommandWorks) {
-  const fs::path directory = fs::path(::testing::TempDir()) / "lanescope-readme";
-  fs::remove_all(directory);
+  const testing::ScratchDirectory scratch;
+  const fs::path& directory = scratch.path();
   fs::create_directories(directory / "models");
   fs::create_directories(directory / "out");  // As scripts/run, which comes first, leaves it.
   std::ofstream(directory / "models" / "bunny.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -37,7 +38,6 @@ TEST(Readme, EveryCommandWorks) {
     const auto outcome = testing::lanescope_program(testing::made_small(command), directory);
     EXPECT_EQ(outcome.status, 0) << command << "\n" << outcome.errors;
   }
-  fs::remove_all(directory);
 }
 
 /// Links to files of the repository lead somewhere.

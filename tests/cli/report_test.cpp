@@ -3,12 +3,13 @@
 // tests/html.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "analysis/base/files.h"
 #include "tests/cli/program.h"
+#include "tests/scratch_directory.h"
 
 namespace lanescope {
 namespace {
@@ -20,7 +21,7 @@ using testing::Outcome;
 class ReportCommand : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    make_directory(directory());
+    scratch_.emplace();
     for (const int samples : {4, 9}) {
       const Outcome run = lanescope_program(
           fmt::format("run --scene teapot --resolution 24x16 --kernel lockstep,repack --width 8 "
@@ -30,10 +31,8 @@ class ReportCommand : public ::testing::Test {
       ASSERT_EQ(run.status, 0) << run.errors;
     }
   }
-  static void TearDownTestSuite() { std::filesystem::remove_all(directory()); }
-  static std::string directory() {
-    return ::testing::TempDir() + fmt::format("lanescope-report-{}", ::getpid());
-  }
+  static void TearDownTestSuite() { scratch_.reset(); }
+  static std::string directory() { return scratch_->path(); }
 
   void expect_mistake(const std::string& arguments, const std::string& complaint) {
     const Outcome outcome = lanescope_program("report " + arguments, directory());
@@ -42,6 +41,9 @@ class ReportCommand : public ::testing::Test {
     EXPECT_EQ(outcome.output, "");
     EXPECT_FALSE(std::filesystem::exists(directory() + "/never.html"));
   }
+
+ private:
+  inline static std::optional<testing::ScratchDirectory> scratch_;
 };
 
 TEST_F(ReportCommand, HelpHasAnExample) {

@@ -7,6 +7,7 @@
 
 #include "analysis/base/files.h"
 #include "tests/cli/program.h"
+#include "tests/scratch_directory.h"
 
 namespace lanescope {
 namespace {
@@ -15,30 +16,17 @@ namespace fs = std::filesystem;
 using testing::lanescope_program;
 using testing::Outcome;
 
-/// Runs in an empty directory that goes away with the test.
 class TraceCommand : public ::testing::Test {
  protected:
-  TraceCommand() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory_ = fs::path(::testing::TempDir()) / ("lanescope-trace-" + std::string(test->name()));
-    fs::remove_all(directory_);
-    fs::create_directory(directory_);
-  }
-  ~TraceCommand() override { fs::remove_all(directory_); }
-
   Outcome run(const std::string& arguments) const {
-    return lanescope_program(arguments + " --scene tigerjump --resolution 96x60", directory_);
+    return lanescope_program(arguments + " --scene tigerjump --resolution 96x60",
+                             directory_.path());
   }
   std::string file(const std::string& name) const { return read_file(directory_ / name); }
-  std::set<std::string> entries() const {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(directory_))
-      names.insert(entry.path().filename());
-    return names;
-  }
+  std::set<std::string> entries() const { return directory_.entries(); }
 
  private:
-  fs::path directory_;
+  const testing::ScratchDirectory directory_;
 };
 
 TEST_F(TraceCommand, WritesTheSameFilesTwice) {

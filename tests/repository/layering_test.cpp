@@ -111,6 +111,15 @@ TEST(Layering, OnlyStudiesKnowPapers) {
   });
 }
 
+/// Tests run beside each other, so a file of a fixed name would be shared.
+TEST(Layering, TestsWriteIntoDirectoriesOfTheirOwn) {
+  static const std::regex kNamesSharedPlace(R"(TempDir\(|temp_directory_path|"/tmp)");
+  for_each_source("tests", [](const std::string& path, const std::string& text) {
+    if (path == "tests/scratch_directory.h" || path == "tests/repository/layering_test.cpp") return;
+    EXPECT_FALSE(std::regex_search(text, kNamesSharedPlace)) << path;
+  });
+}
+
 TEST(Layering, OnlyTheCommandLinePrintsOrExits) {
   static const std::regex kPrints(
       R"(std::cout|std::cerr|std::exit|[^a-z_]exit\(|fmt::print\(|[^a-z_:]printf\(|std::puts)");

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 
+#include "tests/scratch_directory.h"
 #include "tests/workloads/micropolygons/tessellation.h"
 
 namespace lanescope {
@@ -83,10 +83,10 @@ TEST_P(EveryKindOfPatch, ThreePatchesMeetInTheMiddle) {
 }
 
 TEST_P(EveryKindOfPatch, AFileBecomesAFramedScene) {
-  const auto path = std::filesystem::temp_directory_path() / "lanescope_mesh_test.obj";
+  const testing::ScratchDirectory scratch;
+  const std::string path = scratch / "cube.obj";
   std::ofstream(path) << kCube;
-  const Scene scene = load_mesh_scene(path.string(), GetParam());
-  std::filesystem::remove(path);
+  const Scene scene = load_mesh_scene(path, GetParam());
   const TessellationOptions options = test::small_options(Micropolygon::kTriangle);
   const test::Tessellation t = test::tessellate(scene, options);
   double front = 0.0;
