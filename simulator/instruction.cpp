@@ -1,28 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulator/instruction.h"
 
-#include <bit>
-
-#include "simulator/observer.h"
-
 namespace lanescope {
-
-std::uint64_t charged_lanes(Charge charge, std::uint64_t executions, std::uint64_t active,
-                            int width) {
-  switch (charge) {
-    case Charge::kActiveLanes:
-      return active;
-    case Charge::kAllLanes:
-      return executions * static_cast<std::uint64_t>(width);
-    case Charge::kOneLane:
-      return executions;
-  }
-  return 0;
-}
-
-std::uint64_t IssueEvent::charged() const {
-  return charged_lanes(info.charge, 1, static_cast<std::uint64_t>(std::popcount(active)), width);
-}
 
 std::string_view to_string(Charge charge) {
   switch (charge) {

@@ -49,8 +49,18 @@ struct InstructionInfo {
 };
 
 /// Lanes charged for `executions` of an instruction in which `active` lanes were on altogether.
-std::uint64_t charged_lanes(Charge charge, std::uint64_t executions, std::uint64_t active,
-                            int width);
+constexpr std::uint64_t charged_lanes(Charge charge, std::uint64_t executions, std::uint64_t active,
+                                      int width) {
+  switch (charge) {
+    case Charge::kActiveLanes:
+      return active;
+    case Charge::kAllLanes:
+      return executions * static_cast<std::uint64_t>(width);
+    case Charge::kOneLane:
+      return executions;
+  }
+  return 0;
+}
 
 std::string_view to_string(Charge charge);
 std::string_view to_string(InstructionClass instruction_class);

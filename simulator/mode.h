@@ -10,7 +10,7 @@ namespace lanescope {
 enum class Mode {
   kCounting,   ///< Fast: counts instructions and lanes.
   kChecked,    ///< Slow: counts, tracks dead lanes, and checks every memory access.
-  kTracing,    ///< Slow: counts, and shows every instruction to an Observer.
+  kTracing,    ///< Slow: shows every instruction to an Observer, whose it is to count.
   kUncounted,  ///< Fast: counts nothing: the program at native speed.
 };
 

@@ -2,6 +2,7 @@
 // What a tracing machine tells of every instruction that it issues.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <source_location>
 #include <span>
@@ -33,7 +34,9 @@ struct IssueEvent {
   std::span<const Touch> touches;
 
   /// The lanes that the instruction is charged.
-  std::uint64_t charged() const;
+  std::uint64_t charged() const {
+    return charged_lanes(info.charge, 1, static_cast<std::uint64_t>(std::popcount(active)), width);
+  }
 };
 
 /// Watches a slow machine. Called on the thread of the machine.

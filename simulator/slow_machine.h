@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The slow machine, for the modes that are not to run fast: checked and tracing. It is compiled for
-// one number of lanes, without effort. It charges each instruction as it issues it, without lists
-// or signatures, and so is an oracle for the counts of the fast machine.
+// one number of lanes, without effort. It charges each instruction as it issues it, or tells of it,
+// without lists or logs, and so is an oracle for the counts of the fast machine.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,10 @@ struct SlowState {
   Width width() const { return {tally.width()}; }
 };
 
-/// Charges an instruction. Tells the observer of it, with what is in `state.touches`.
-void charge_slowly(SlowState& state, const InstructionInfo& info, std::size_t stage,
-                   std::uint64_t active, bool overhead, const std::source_location& at);
+/// Charges a checked instruction, or tells the observer of a traced one, with what is in
+/// `state.touches`.
+void charge_or_tell(SlowState& state, const InstructionInfo& info, std::size_t stage,
+                    std::uint64_t active, bool overhead, const std::source_location& at);
 
 /// Checks the operands and the accesses of an instruction, and keeps what it touches.
 template <class Op, int L, class... Operands>
@@ -70,7 +71,7 @@ template <class Op, int L, class... Operands>
                                     bool overhead, const std::source_location& at,
                                     const Operands&... operands) {
   examine<Op>(state, active, at, operands...);
-  charge_slowly(state, Op::kInfo, stage, active.bits(), overhead, at);
+  charge_or_tell(state, Op::kInfo, stage, active.bits(), overhead, at);
   using R = decltype(execute<Op>(active, state.width(), plain(operands)...));
   if constexpr (std::is_void_v<R>) {
     execute<Op>(active, state.width(), plain(operands)...);
@@ -188,8 +189,9 @@ class SlowMachine {
     return v.vec;
   }
 
-  /// What has been counted. Throws CheckError if two instructions have one mnemonic.
-  Counts counts() const { return state_.tally.counts(); }
+  /// What has been counted; without stages if the machine is tracing. Throws CheckError if two
+  /// instructions have one mnemonic.
+  Counts counts() const { return state_.checked ? state_.tally.counts() : Counts(); }
 
  private:
   detail::SlowState state_;

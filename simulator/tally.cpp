@@ -83,14 +83,12 @@ void Tally::charge(std::size_t stage_index, Issued issued, std::uint64_t active)
 }
 
 InstructionCounts& Tally::counts_of(Stage& stage, const InstructionInfo* info) {
-  // From the one charged last: programs issue the same few instructions in the same order.
   std::vector<InstructionCounts>& all = stage.instructions;
-  for (std::size_t tried = 0; tried < all.size(); ++tried) {
-    if (stage.latest >= all.size()) stage.latest = 0;
-    if (all[stage.latest].info == info) return all[stage.latest];
-    ++stage.latest;
-  }
-  stage.latest = all.size();
+  const auto address = reinterpret_cast<std::uintptr_t>(info);
+  std::uint32_t& place = stage.recent[(address ^ address >> 6) / alignof(InstructionInfo) % 64];
+  if (place < all.size() && all[place].info == info) return all[place];
+  for (place = 0; place < all.size(); ++place)
+    if (all[place].info == info) return all[place];
   return all.emplace_back(InstructionCounts{.info = info});
 }
 

@@ -4,6 +4,7 @@
 // which the list was executed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -86,7 +87,7 @@ class Tally {
  private:
   struct Stage {
     std::vector<InstructionCounts> instructions;  ///< In the order of their first issue.
-    std::size_t latest = 0;                       ///< Place of the one charged last.
+    std::array<std::uint32_t, 64> recent{};       ///< Places of some, by hash.
     std::vector<std::uint64_t> lane_active;
     std::vector<std::uint64_t> histogram;
   };

@@ -5,47 +5,71 @@
 #include <bit>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "simulator/memory.h"
 
 namespace lanescope {
-std::size_t MemoryAndSource::PlaceHash::operator()(const Place& place) const {
-  const auto file = reinterpret_cast<std::uintptr_t>(place.file);
-  const auto info = reinterpret_cast<std::uintptr_t>(place.info);
+
+inline MemoryAndSource::Sum& MemoryAndSource::slot_of(const Place& place) {
   const std::uint64_t mixed =
-      (file ^ info << 7 ^ place.stage << 3 ^ place.line) * 0x9e3779b97f4a7c15u;
-  return mixed >> 32;
+      (reinterpret_cast<std::uintptr_t>(place.file) ^
+       reinterpret_cast<std::uintptr_t>(place.info) << 7 ^ place.stage << 3 ^ place.line) *
+      0x9e3779b97f4a7c15u;
+  for (std::size_t i = mixed >> 32;; ++i) {
+    Sum& sum = slots_[i & (slots_.size() - 1)];
+    if (sum.place == place || sum.place.info == nullptr) return sum;
+  }
 }
 
-MemoryAndSource::Sum& MemoryAndSource::sum_at(const Place& place) {
-  Recent& recent = recent_[PlaceHash()(place) % kRecent];
-  if (recent.sum == nullptr || recent.place != place) recent = {place, &sums_[place]};
-  return *recent.sum;
+inline MemoryAndSource::Sum& MemoryAndSource::sum_at(const Place& place) {
+  Sum& sum = slot_of(place);
+  return sum.place.info != nullptr ? sum : new_sum(place);
+}
+
+MemoryAndSource::Sum& MemoryAndSource::new_sum(const Place& place) {
+  if (2 * ++places_ > slots_.size()) {
+    const auto sums = std::exchange(slots_, std::vector<Sum>(2 * slots_.size()));
+    for (const Sum& sum : sums)
+      if (sum.place.info != nullptr) slot_of(sum.place) = sum;
+  }
+  Sum& sum = slot_of(place);
+  sum.place = place;
+  return sum;
+}
+
+MemoryRecord& MemoryAndSource::memory_of(Sum& sum) {
+  if (sum.memory == kNone) {
+    sum.memory = memory_.size();
+    memory_.emplace_back();
+  }
+  return memory_[sum.memory];
 }
 
 void MemoryAndSource::issued(const IssueEvent& event) {
-  Sum& sum = sum_at({event.at.file_name(), event.at.line(), event.stage, &event.info});
+  Sum& sum = sum_at({&event.info, event.at.file_name(), event.at.line(),
+                     static_cast<std::uint32_t>(event.stage)});
   sum.issued += 1;
   sum.active += event.charged();
   sum.overhead += event.overhead;
   if (event.info.instruction_class == InstructionClass::kMemory || !event.touches.empty())
-    add_touches(sum.memory, event);
+    add_touches(memory_of(sum), event);
 }
 
 void MemoryAndSource::add_touches(MemoryRecord& memory, const IssueEvent& event) {
   lines_touched_.clear();
-  std::size_t lines = 0;
   bool stores = false, ascend = true;
   std::int64_t latest = -1, latest_line = -1;
   for (const Touch& touch : event.touches) {
     const auto byte = static_cast<std::int64_t>(touch.byte);
     const auto line = static_cast<std::int64_t>(touch.byte / kLineBytes);
-    if (line != latest_line) lines += lines_touched_.insert(touch.byte / kLineBytes);
+    if (line != latest_line) lines_touched_.insert(touch.byte / kLineBytes);
     stores |= touch.stores();
     ascend &= byte > latest;
     latest = byte;
     latest_line = line;
   }
+  const std::size_t lines = lines_touched_.size();
   memory.issued += 1;
   memory.active += static_cast<std::uint64_t>(std::popcount(event.active));
   memory.lines += lines;
@@ -67,21 +91,22 @@ std::uint64_t MemoryAndSource::count_conflicts(std::span<const Touch> touches) {
 }
 
 MemoryAndSource& MemoryAndSource::operator+=(const MemoryAndSource& other) {
-  for (const auto& [place, from] : other.sums_) {
-    Sum& sum = sums_[place];
+  other.for_each_sum([&](const Sum& from) {
+    Sum& sum = sum_at(from.place);
     sum.issued += from.issued;
     sum.active += from.active;
     sum.overhead += from.overhead;
-    sum.memory += from.memory;
-  }
+    if (from.memory != kNone) memory_of(sum) += other.memory_[from.memory];
+  });
   return *this;
 }
 
 std::vector<MemoryRecord> MemoryAndSource::memory(std::size_t stage) const {
   std::map<std::string_view, MemoryRecord> by_mnemonic;
-  for (const auto& [place, sum] : sums_)
-    if (place.stage == stage && sum.memory.issued > 0)
-      by_mnemonic[place.info->mnemonic] += sum.memory;
+  for_each_sum([&](const Sum& sum) {
+    if (sum.place.stage == stage && sum.memory != kNone)
+      by_mnemonic[sum.place.info->mnemonic] += memory_[sum.memory];
+  });
   std::vector<MemoryRecord> records;
   for (auto& [mnemonic, record] : by_mnemonic) {
     record.mnemonic = mnemonic;
@@ -94,12 +119,12 @@ std::vector<SourceLineRecord> MemoryAndSource::source_lines(
     std::span<const std::string_view> stages) const {
   // By the file's name: two translation units may have it at two addresses.
   std::map<std::tuple<std::string_view, std::uint32_t, std::size_t>, SourceLineRecord> by_line;
-  for (const auto& [place, sum] : sums_) {
-    SourceLineRecord& line = by_line[{place.file, place.line, place.stage}];
+  for_each_sum([&](const Sum& sum) {
+    SourceLineRecord& line = by_line[{sum.place.file, sum.place.line, sum.place.stage}];
     line.issued += sum.issued;
     line.active += sum.active;
     line.overhead += sum.overhead;
-  }
+  });
   std::vector<SourceLineRecord> records;
   for (auto& [place, line] : by_line) {
     const auto& [file, number, stage] = place;

@@ -3,12 +3,11 @@
 // instructions touch, and the lines of source that issue them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "analysis/report/report.h"
@@ -17,45 +16,29 @@
 
 namespace lanescope {
 
-/// A set of numbers that is cleared in no time: for one instruction after another.
-class SmallSet {
+/// The distinct ones of a few numbers: those of one instruction after another.
+class FewNumbers {
  public:
   void clear() {
-    ++generation_;
-    size_ = 0;
+    seen_ = {};
+    numbers_.clear();
   }
   /// Whether the number is new.
   bool insert(std::uint64_t number) {
-    if (2 * size_ >= slots_.size()) grow();
-    for (std::size_t i = number * 0x9e3779b97f4a7c15u >> shift_;; i = (i + 1) % slots_.size()) {
-      Slot& slot = slots_[i];
-      if (slot.generation != generation_) {
-        slot = {number, generation_};
-        ++size_;
-        return true;
-      }
-      if (slot.number == number) return false;
-    }
+    const std::uint64_t hash = number * 0x9e3779b97f4a7c15u >> 56;
+    std::uint64_t& seen = seen_[hash / 64];
+    const std::uint64_t bit = std::uint64_t{1} << hash % 64;
+    if ((seen & bit) != 0 && std::find(numbers_.begin(), numbers_.end(), number) != numbers_.end())
+      return false;
+    seen |= bit;
+    numbers_.push_back(number);
+    return true;
   }
+  std::size_t size() const { return numbers_.size(); }
 
  private:
-  struct Slot {
-    std::uint64_t number = 0;
-    std::uint64_t generation = 0;
-  };
-
-  void grow() {
-    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(2 * slots_.size()));
-    --shift_;
-    size_ = 0;
-    for (const Slot& slot : old)
-      if (slot.generation == generation_) insert(slot.number);
-  }
-
-  int shift_ = 64 - 9;  ///< Leaves as many bits as there are in the place of a slot.
-  std::vector<Slot> slots_ = std::vector<Slot>(std::size_t{1} << 9);
-  std::uint64_t generation_ = 1;
-  std::size_t size_ = 0;  ///< Numbers of this generation.
+  std::array<std::uint64_t, 4> seen_{};  ///< A bit for the hash of each number.
+  std::vector<std::uint64_t> numbers_;
 };
 
 /// Sums of observed executions, by stage and instruction and by line of source. Observations merge
@@ -77,37 +60,44 @@ class MemoryAndSource final : public Observer {
  private:
   /// An instruction at a line of source, in a stage.
   struct Place {
+    const InstructionInfo* info = nullptr;
     const char* file = nullptr;
     std::uint32_t line = 0;
-    std::size_t stage = 0;
-    const InstructionInfo* info = nullptr;
+    std::uint32_t stage = 0;
     bool operator==(const Place&) const = default;
   };
-  struct PlaceHash {
-    std::size_t operator()(const Place& place) const;
-  };
-  struct Sum {
+  /// A line of cache, as every instruction looks for one.
+  struct alignas(64) Sum {
+    Place place;
     std::uint64_t issued = 0;
     std::uint64_t active = 0;
     std::uint64_t overhead = 0;
-    MemoryRecord memory;  ///< Of a memory instruction; without mnemonic.
+    std::size_t memory = kNone;  ///< Place in memory_, or kNone.
   };
-  /// The sums of recent places by their hash: a loop issues the same instructions again and again.
-  static constexpr std::size_t kRecent = 1024;
-  struct Recent {
-    Place place;
-    Sum* sum = nullptr;
-  };
+  static constexpr std::size_t kNone = ~std::size_t{0};
 
+  /// The slot that a place has, or the free one that it would get.
+  Sum& slot_of(const Place& place);
+  /// The sum of a place, which may be new; then others move.
   Sum& sum_at(const Place& place);
+  [[gnu::noinline]] Sum& new_sum(const Place& place);
+  MemoryRecord& memory_of(Sum& sum);
   void add_touches(MemoryRecord& memory, const IssueEvent& event);
   /// Lanes that store to an element that an earlier one has stored to.
   std::uint64_t count_conflicts(std::span<const Touch> touches);
+  /// Calls f(sum) for each place.
+  template <class F>
+  void for_each_sum(F&& f) const {
+    for (const Sum& sum : slots_)
+      if (sum.place.info != nullptr) f(sum);
+  }
 
-  std::unordered_map<Place, Sum, PlaceHash> sums_;
-  std::array<Recent, kRecent> recent_{};
-  SmallSet lines_touched_;
-  SmallSet elements_stored_;
+  std::vector<Sum> slots_ =
+      std::vector<Sum>(256);  ///< By hash of place; a power of two, half of them free.
+  std::size_t places_ = 0;
+  std::vector<MemoryRecord> memory_;  ///< Of the places that access memory; without mnemonics.
+  FewNumbers lines_touched_;
+  FewNumbers elements_stored_;
 };
 
 /// Whether memory and source are observed in a piece of work. Depends on its place alone; the first

@@ -100,12 +100,14 @@ TEST_F(Observing, CountsMoreLinesThanLanes) {
   EXPECT_EQ(memory.active, 5u) << "the lanes that access memory, whatever is charged";
 }
 
-TEST(SmallSet, HoldsAnyNumber) {
-  SmallSet set;
+TEST(FewNumbers, AreDistinct) {
+  FewNumbers set;
   for (int round = 0; round < 2; ++round) {
     set.clear();
+    EXPECT_EQ(set.size(), 0u);
     for (std::uint64_t i = 0; i < 3000; ++i) EXPECT_TRUE(set.insert(i * 64));
     for (std::uint64_t i = 0; i < 3000; ++i) EXPECT_FALSE(set.insert(i * 64));
+    EXPECT_EQ(set.size(), 3000u);
   }
 }
 

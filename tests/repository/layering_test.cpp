@@ -81,8 +81,9 @@ TEST(Layering, IncludesWithinAnalysisRunOneWay) {
     const auto own = rank(room_of(path));
     EXPECT_LT(own, static_cast<std::ptrdiff_t>(order.size())) << path << " is in no known folder";
     for (const std::string& include : includes_of(text))
-      if (include.starts_with("analysis/") && include.find('/', 9) != std::string::npos)
+      if (include.starts_with("analysis/") && include.find('/', 9) != std::string::npos) {
         EXPECT_LE(rank(room_of(include)), own) << path << " includes " << include;
+      }
   });
 }
 

@@ -5,17 +5,10 @@
 
 #include <algorithm>
 
+#include "tests/simulator/counting_observer.h"
 #include "workloads/micropolygons/workload.h"
 
 namespace lanescope::test {
-namespace {
-
-struct Nobody final : Observer {
-  void issued(const IssueEvent&) override {}
-};
-
-}  // namespace
-
 std::vector<const Kernel*> rasterizers() {
   std::vector<const Kernel*> all = kernels();
   std::erase_if(all, [](const Kernel* kernel) { return kernel->workload != &w_micropolygons; });
@@ -47,12 +40,14 @@ std::uint64_t Outcome::counter(const Kernel& kernel, std::string_view name) cons
 Outcome run(const Kernel& kernel, int width, Mode mode, const KernelOptions& options,
             const SampleGrid& grid, const std::vector<const Packet*>& packets) {
   Frame frame(grid);
-  Nobody nobody;
+  CountingObserver observer(width, kernel.stages.size());
   const Arguments arguments = arguments_of(options, packets.front()->shape());
   const auto execution =
-      kernel.start({width, mode, arguments, frame, mode == Mode::kTracing ? &nobody : nullptr});
+      kernel.start({width, mode, arguments, frame, mode == Mode::kTracing ? &observer : nullptr});
   for (const Packet* packet : packets) execution->run(*packet);
-  return {execution->result(), frame.hash()};
+  Outcome outcome{execution->result(), frame.hash()};
+  if (mode == Mode::kTracing) outcome.result.counts = observer.counts();
+  return outcome;
 }
 
 Packet packet_of(Micropolygon shape,
