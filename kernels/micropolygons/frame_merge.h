@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "kernels/micropolygons/counters.h"
@@ -12,31 +13,35 @@
 
 namespace lanescope {
 
-/// The samples that one invocation of *Process* has hit; cleared in no time for the next one.
-class SamplesHit {
+/// A set of samples in a few bits, which may take a sample for another one.
+template <int L>
+class SampleFilter {
  public:
-  void clear() {
-    if (++invocation_ == 0) *this = SamplesHit();
-  }
-  /// Whether the sample was hit before. Requires at most 64 hits between two clear().
-  bool hit_again(std::uint32_t sample) {
-    const std::uint64_t entry = std::uint64_t{invocation_} << 32 | sample;
-    for (std::size_t i = sample * 0x9e3779b1u >> kShift;; i = (i + 1) % kSlots) {
-      if (slots_[i] == entry) return true;
-      if (slots_[i] >> 32 != invocation_) {
-        slots_[i] = entry;
-        return false;
-      }
-    }
+  /// Adds a sample. Whether it may have been there before.
+  LANESCOPE_INLINE bool insert(std::uint32_t sample) {
+    const std::uint32_t hash = sample * 0x9e3779b1u >> (32 - kHashBits);
+    std::uint64_t& word = words_[hash / 64];
+    const std::uint64_t bit = std::uint64_t{1} << hash % 64;
+    const bool maybe = (word & bit) != 0;
+    word |= bit;
+    return maybe;
   }
 
  private:
-  static constexpr int kBits = 8;
-  static constexpr int kShift = 32 - kBits;
-  static constexpr std::size_t kSlots = std::size_t{1} << kBits;
-  std::uint32_t invocation_ = 1;
-  std::array<std::uint64_t, kSlots> slots_{};  ///< Invocation and sample of the last hit there.
+  static constexpr std::uint32_t kWords = L > 16 ? L / 16 : 1;
+  static constexpr int kHashBits = std::bit_width(64 * kWords) - 1;
+  std::array<std::uint64_t, kWords> words_{};
 };
+
+/// Whether an active lane before `lane` has its sample, too. Not inlined: rarely asked.
+template <int L>
+[[gnu::noinline]] bool is_conflict(Mask<L> active, const Vec<std::int32_t, L>& sample, int lane) {
+  const auto wanted = host::broadcast<typename Vec<std::int32_t, L>::Chunk>(sample[lane]);
+  const auto equal = Mask<L>::of_chunks([&](auto c) LANESCOPE_INLINE_LAMBDA {
+    return host::compare<host::Relation::kEqual>(sample.chunk[c], wanted);
+  });
+  return (equal & active & Mask<L>::first_n(lane)).any();
+}
 
 /// Where hits go: the frame, the hash of the list of hits and, if counted, counters.
 template <bool kCounted>
@@ -55,20 +60,24 @@ class HitSink {
     const auto samples = sample.lanes();
     const auto depths = depth.lanes();
     const auto colours = colour.lanes();
+    [[maybe_unused]] SampleFilter<L> seen;
     std::uint64_t conflicts = 0;
-    if constexpr (kCounted) samples_.clear();
     for_each_lane(active, [&](int lane) LANESCOPE_INLINE_LAMBDA {
       const auto i = static_cast<std::size_t>(lane);
       const auto at = static_cast<std::uint32_t>(samples[i]);
       hits_hash_ += hit_hash(id_of(i), at);
       frame_.merge(at, depths[i], static_cast<std::uint32_t>(colours[i]));
-      if constexpr (kCounted) conflicts += samples_.hit_again(at);
+      if constexpr (kCounted)
+        if (seen.insert(at)) [[unlikely]]
+          conflicts += is_conflict(active, sample, lane);
     });
     if constexpr (kCounted) {
       counts_[kHits] += static_cast<std::uint64_t>(active.count());
       counts_[kProcessIssued] += 1;
-      counts_[kConflictInvocations] += conflicts != 0;
-      counts_[kConflictHits] += conflicts;
+      if (conflicts != 0) [[unlikely]] {
+        counts_[kConflictInvocations] += 1;
+        counts_[kConflictHits] += conflicts;
+      }
     }
   }
 
@@ -76,7 +85,6 @@ class HitSink {
   Frame& frame_;
   RasterizerCounts& counts_;
   std::uint64_t hits_hash_ = 0;
-  SamplesHit samples_;
 };
 
 /// Hits of micropolygons that are numbered from `first_id`.
