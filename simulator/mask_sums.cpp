@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "simulator/host.h"
+#include "simulator/host_mask.h"
 
 namespace lanescope {
 namespace {
