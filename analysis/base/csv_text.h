@@ -8,7 +8,8 @@
 
 namespace lanescope {
 
-/// A field, in quotes if it needs them.
+/// A field, in quotes if it needs them. What a spreadsheet would take for a formula, as it begins
+/// with `=`, `@`, or with a sign and is no number, gets an apostrophe before it.
 std::string csv_field(std::string_view text);
 
 /// The fields of one line, each as csv_field has it, and the newline.

@@ -2,22 +2,24 @@
 #include "analysis/base/files.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
-#include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "simulator/base/error.h"
 
 namespace lanescope {
 namespace {
+
+namespace fs = std::filesystem;
 
 bool write_all(int descriptor, std::string_view contents) {
   while (!contents.empty()) {
@@ -29,28 +31,38 @@ bool write_all(int descriptor, std::string_view contents) {
   return true;
 }
 
-/// Stands between the name of a file and the id of the process that writes it.
-constexpr std::string_view kTemporaryMark = ".tmp-";
-
-/// The process that writes, or wrote, a temporary file of that name; 0 if it is not one.
-pid_t writer_of(const std::string& name) {
-  const std::size_t mark = name.rfind(kTemporaryMark);
-  if (mark == name.npos) return 0;
-  const char* const first = name.data() + mark + kTemporaryMark.size();
-  const char* const last = name.data() + name.size();
-  pid_t process = 0;
-  const auto read = std::from_chars(first, last, process);
-  return read.ec == std::errc() && read.ptr == last && process > 0 ? process : 0;
+/// Where the symbolic links lead that a path ends in, even if nothing is there.
+fs::path target_of(fs::path path) {
+  constexpr int kMostLinks = 40;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  return path;
 }
 
-bool is_running(pid_t process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
+/// Standard output or error, if it goes where that file is and can be written; else -1.
+int standard_stream_of(const struct stat& there) {
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat of_stream {};
+    const int flags = ::fcntl(stream, F_GETFL);
+    if (flags >= 0 && (flags & O_PATH) == 0 && (flags & O_ACCMODE) != O_RDONLY &&
+        ::fstat(stream, &of_stream) == 0 && of_stream.st_dev == there.st_dev &&
+        of_stream.st_ino == there.st_ino)
+      return stream;
+  }
+  return -1;
+}
+
+/// Not so of a file that is open but has no name any more.
+bool is_named_file(const struct stat& there) {
+  return S_ISREG(there.st_mode) && there.st_nlink > 0;
+}
 
 }  // namespace
 
 std::string read_file(const std::string& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw InputError(path, "is a directory; a file is needed");
+  if (fs::is_directory(path, error)) throw InputError(path, "is a directory; a file is needed");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(path, "cannot be read: {}", std::strerror(errno));
   std::ostringstream contents;
@@ -59,51 +71,78 @@ std::string read_file(const std::string& path) {
   return std::move(contents).str();
 }
 
-AtomicFile::AtomicFile(std::string path)
-    : path_(std::move(path)),
-      temporary_path_(fmt::format("{}{}{}", path_, kTemporaryMark, ::getpid())) {
-  std::error_code error;
-  if (path_.empty() || std::filesystem::is_directory(path_, error))
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
+  struct stat there {};
+  const bool is_there = ::stat(path_.c_str(), &there) == 0;
+  if (path_.empty() || path_.ends_with('/') || (is_there && S_ISDIR(there.st_mode)))
     throw InputError(path_.empty() ? "output file" : path_, "is not the name of a file");
-  descriptor_ = ::open(temporary_path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) throw InputError(path_, "cannot be written: {}", std::strerror(errno));
+  if (!is_there && errno != ENOENT) fail();
+  const int stream = is_there ? standard_stream_of(there) : -1;
+  is_standard_output_ = stream == STDOUT_FILENO;
+  if (stream >= 0)
+    descriptor_ = ::fcntl(stream, F_DUPFD_CLOEXEC, 0);
+  else if (is_there && !is_named_file(there))
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  else
+    open_file(is_there ? &there : nullptr);
+  if (descriptor_ < 0) fail();
 }
 
-AtomicFile::~AtomicFile() {
-  if (descriptor_ < 0) return;
-  ::close(descriptor_);
-  ::unlink(temporary_path_.c_str());
+OutputFile::~OutputFile() {
+  if (!temporary_ && descriptor_ >= 0) ::close(descriptor_);
 }
 
-void AtomicFile::append(std::string_view contents) {
-  LANESCOPE_CHECK(descriptor_ >= 0, "{} is written after it was committed", path_);
-  if (!write_all(descriptor_, contents))
-    throw InputError(path_, "cannot be written: {}", std::strerror(errno));
+void OutputFile::open_file(const struct stat* there) {
+  target_ = target_of(path_);
+  try {
+    temporary_.emplace(target_);
+    descriptor_ = temporary_->descriptor();
+    if (there) ::fchmod(descriptor_, there->st_mode & 0777);
+  } catch (const std::system_error& error) {
+    // The directory takes no new file, but the one that is there may be written.
+    if (there) descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    has_old_contents_ = descriptor_ >= 0;
+    if (!there) errno = error.code().value();
+  }
 }
 
-void AtomicFile::commit(std::string_view rest) {
+void OutputFile::append(std::string_view contents) {
+  LANESCOPE_CHECK(!is_committed_, "{} is written after it was committed", path_);
+  if (std::exchange(has_old_contents_, false) && ::ftruncate(descriptor_, 0) != 0) fail();
+  if (!write_all(descriptor_, contents)) fail();
+}
+
+void OutputFile::commit(std::string_view rest) {
   append(rest);
-  if (std::rename(temporary_path_.c_str(), path_.c_str()) != 0)
-    throw InputError(path_, "cannot be written: {}", std::strerror(errno));
-  ::close(std::exchange(descriptor_, -1));
+  is_committed_ = true;
+  if (temporary_ && !temporary_->rename_to_target()) copy_to_target();
+}
+
+/// Where another file may not take the name, its contents may.
+void OutputFile::copy_to_target() const {
+  const int refusal = errno;
+  const int target = ::open(target_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+  errno = refusal;
+  if (target < 0) fail();
+  const bool is_written = write_all(target, read_file(temporary_->path()));
+  const int reason = errno;
+  ::close(target);
+  errno = reason;
+  if (!is_written) fail();
+}
+
+void OutputFile::fail() const {
+  throw InputError(path_, "cannot be written: {}", std::strerror(errno));
 }
 
 void write_file(const std::string& path, std::string_view contents) {
-  AtomicFile(path).commit(contents);
-}
-
-void remove_dead_temporaries(const std::string& directory) {
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(directory, error)) {
-    const pid_t writer = writer_of(entry.path().filename());
-    if (writer != 0 && !is_running(writer)) std::filesystem::remove(entry.path(), error);
-  }
+  OutputFile(path).commit(contents);
 }
 
 void make_directory(const std::string& path) {
   std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error || !std::filesystem::is_directory(path))
+  fs::create_directories(path, error);
+  if (error || !fs::is_directory(path))
     throw InputError(path, "cannot be created as a directory{}{}", error ? ": " : "",
                      error ? error.message() : "");
 }

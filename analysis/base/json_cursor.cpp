@@ -26,6 +26,25 @@ std::string reason(std::string_view message) {
   return std::string(mark == message.npos ? message : message.substr(mark));
 }
 
+/// The number within nlohmann's message that it overflows.
+std::string overflowing_number(std::string_view message) {
+  const std::size_t first = message.find('\'') + 1;
+  return std::string(message.substr(first, message.rfind('\'') - first));
+}
+
+/// The byte, from 1, at which a number begins in the text outside of strings.
+std::size_t byte_of(std::string_view text, std::string_view number) {
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!in_string && text.substr(i).starts_with(number)) return i + 1;
+    if (in_string && text[i] == '\\')
+      ++i;
+    else if (text[i] == '"')
+      in_string = !in_string;
+  }
+  return 1;
+}
+
 /// Finds keys that an object has twice, of which the parser would silently keep one.
 class DuplicateKeys {
  public:
@@ -63,7 +82,9 @@ Json parse_json(std::string_view text, const std::string& file) {
     throw InputError(fmt::format("{}:{}", file, line_and_column(text, error.byte)),
                      "is not JSON: {}", reason(error.what()));
   } catch (const Json::out_of_range& error) {
-    throw InputError(file, "has a number too large for a double: {}", error.what());
+    const std::string number = overflowing_number(error.what());
+    throw InputError(fmt::format("{}:{}", file, line_and_column(text, byte_of(text, number))),
+                     "{} is not a number up to 1.8e308", number);
   }
 }
 
@@ -118,7 +139,7 @@ bool JsonCursor::boolean() const {
 }
 
 std::uint64_t JsonCursor::count() const {
-  if (!value_->is_number_unsigned()) fail("an integer of at least 0");
+  if (!value_->is_number_unsigned()) fail("an integer from 0 to 2^64 - 1");
   return value_->get<std::uint64_t>();
 }
 

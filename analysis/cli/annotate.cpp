@@ -8,6 +8,7 @@
 #include "analysis/annotation/annotation.h"
 #include "analysis/cli/defaults.h"
 #include "analysis/cli/input.h"
+#include "analysis/cli/memory_notice.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
 #include "analysis/cli/selection.h"
@@ -33,6 +34,7 @@ Report run_selected(const CommandOptions& command, const Given& given) {
   const std::vector<Configuration> configurations = resolve_configurations(given.experiment);
   ExperimentOptions options;
   options.threads = parse_threads(given.threads);
+  tell_memory(configurations);
   Progress progress(command.name());
   options.progress = [&](double fraction) { progress.update(fraction); };
   return run_experiment(configurations, options);

@@ -6,10 +6,10 @@
 #include <memory>
 
 #include "analysis/base/json_text.h"
+#include "analysis/cli/input.h"
 #include "analysis/cli/options.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/values.h"
-#include "analysis/report/report_json.h"
 
 namespace lanescope {
 namespace {
@@ -58,8 +58,9 @@ int run(const Given& given) {
   const Form form = parse_choice({"--format", given.format}, kForms);
   if (given.reports.size() != 2) throw InputError("compare", "name two reports: old and new");
   Destination output(given.output);
-  const NamedReport before{given.reports[0], read_report(given.reports[0])};
-  const NamedReport after{given.reports[1], read_report(given.reports[1])};
+  const std::vector<NamedReport> reports = read_reports(given.reports);
+  const NamedReport& before = reports[0];
+  const NamedReport& after = reports[1];
   const Comparison comparison = compare(before, after, options);
   const ComparisonDocument document{before, after, options, comparison,
                                     static_cast<std::size_t>(limit)};

@@ -44,6 +44,8 @@ std::vector<Value> scenes_of_list(const Argument& argument, const Workload& work
 }
 
 void require_file(const std::string& file, const Workload& workload) {
+  if (const std::string problem = scene_name_problem(file); !problem.empty())
+    throw InputError(kFileOption, "{}", problem);
   if (workload.is_file(file)) return;
   if (workload.file_ending.empty())
     throw InputError(kFileOption, "scenes of {} are no files; leave it out", workload.name);

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -31,11 +30,9 @@ std::vector<std::string> cells_of(const std::string& path) {
     throw InputError(path, "has no reports in {}; name the directory of a sweep",
                      directory.cells_path());
   if (const std::size_t failures = directory.failure_count(); failures > 0)
-    std::fputs(fmt::format("lanescope: {}: {} failed and {} not in the report; see {}/\n", path,
-                           failures == 1 ? "1 cell" : fmt::format("{} cells", failures),
-                           failures == 1 ? "is" : "are", directory.failed_path())
-                   .c_str(),
-               stderr);
+    tell(fmt::format("{}: {} failed and {} not in the report; see {}/", path,
+                     failures == 1 ? "1 cell" : fmt::format("{} cells", failures),
+                     failures == 1 ? "is" : "are", directory.failed_path()));
   return files;
 }
 

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
+#include "analysis/base/printable.h"
 #include "analysis/cli/example_words.h"
+#include "analysis/cli/process.h"
 #include "simulator/base/choice.h"
 #include "simulator/base/error.h"
 
@@ -14,11 +17,20 @@ namespace {
 
 constexpr const char* kOutput = "Output";
 
-/// A word as a shell takes it.
+/// The text with a backslash before each of these characters.
+std::string with_backslashes(const std::string& text, std::string_view characters) {
+  std::string more;
+  for (const char c : text)
+    more += (characters.find(c) == characters.npos ? "" : "\\") + std::string(1, c);
+  return more;
+}
+
+/// A word as a shell takes it; one that is not printable as bash does.
 std::string quoted(const std::string& word) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,:=+@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) return word;
+  if (!is_printable(word)) return fmt::format("$'{}'", printable(with_backslashes(word, "\\'")));
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + '\'';
@@ -100,14 +112,18 @@ std::vector<std::string> CommandOptions::option_names() const {
 
 void CommandOptions::refuse_mistakes() const {
   // An option given without its value, or with an empty one, must not pass for one left out.
+  const std::vector<std::string> options = option_names();
   for (const CLI::Option* option : app_.get_options())
-    for (const std::string& value : option->results())
+    for (const std::string& value : option->results()) {
       if (value.empty()) throw InputError(option->get_name(), "has an empty value");
+      if (std::find(options.begin(), options.end(), value) != options.end())
+        throw InputError(option->get_name(), "needs a value; what follows is the option {}", value);
+    }
   const std::vector<std::string> extras = app_.remaining();
   if (extras.empty()) return;
   const std::string word = extras.front().substr(0, extras.front().find('='));
   if (word.starts_with('-'))
-    throw InputError(word, "is not an option of {}{}", name(), did_you_mean(word, option_names()));
+    throw InputError(word, "is not an option of {}{}", name(), did_you_mean(word, options));
   if (below_.empty()) throw InputError(name(), "unexpected argument '{}'", word);
   const std::vector<std::string> names = command_names();
   throw InputError(word_, "'{}' is not a {}; use {}{}", word, word_, list_or(names),
@@ -118,6 +134,7 @@ std::optional<int> CommandOptions::run_command() const {
   for (const Below& below : below_) {
     if (!below.options->app_.parsed()) continue;
     below.options->refuse_mistakes();
+    say_when_interrupted(below.options->name());
     return below.run();
   }
   return std::nullopt;

@@ -2,10 +2,14 @@
 #include "analysis/cli/progress.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <limits>
 #include <utility>
 
 namespace lanescope {
@@ -17,6 +21,21 @@ constexpr double kBackOff = 2.0;
 /// Less work than this tells nothing about the rest.
 constexpr double kTelling = 0.02;
 
+/// Whether lines can be drawn over on standard error.
+bool can_redraw() {
+  const char* const kind = std::getenv("TERM");
+  const std::string_view word = kind ? kind : "";
+  return ::isatty(STDERR_FILENO) == 1 && !word.empty() && word != "dumb";
+}
+
+/// The characters that a line on standard error can have before it is broken.
+std::size_t line_length() {
+  winsize size{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
+    return std::numeric_limits<std::size_t>::max();
+  return size.ws_col - std::size_t{1};  // Some terminals break a line when it is full.
+}
+
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -26,9 +45,7 @@ std::string duration_text(double seconds) {
 }
 
 Progress::Progress(std::string title)
-    : title_(std::move(title)),
-      terminal_(::isatty(STDERR_FILENO) == 1),
-      start_(std::chrono::steady_clock::now()) {}
+    : title_(std::move(title)), terminal_(can_redraw()), start_(std::chrono::steady_clock::now()) {}
 
 Progress::~Progress() {
   if (drawn_ && terminal_) std::fputs("\r\033[K", stderr);
@@ -48,6 +65,7 @@ void Progress::update(double fraction, std::string_view detail) {
   if (!detail.empty()) text += fmt::format(", {}", detail);
   if (fraction >= kTelling)
     text += fmt::format(", about {} left", duration_text(elapsed * (1.0 / fraction - 1.0)));
+  text.resize(std::min(text.size(), line_length()));
   text = terminal_ ? fmt::format("\r{}\033[K", text) : text + '\n';
   std::fputs(text.c_str(), stderr);
 }

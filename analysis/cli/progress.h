@@ -8,8 +8,9 @@
 
 namespace lanescope {
 
-/// Shows a title, the finished share, the time taken and the time left: in place on a terminal, and
-/// as a line now and then, ever more rarely, elsewhere. Work of under a second shows nothing.
+/// Shows a title, the finished share, the time taken and the time left: in place on a terminal, cut
+/// to its width, and as a line now and then, ever more rarely, elsewhere and on a terminal that
+/// cannot do that (`TERM=dumb`). Work of under a second shows nothing.
 /// Everything happens on the thread that calls it.
 class Progress {
  public:

@@ -5,6 +5,7 @@
 
 #include "analysis/cli/defaults.h"
 #include "analysis/cli/experiment_arguments.h"
+#include "analysis/cli/memory_notice.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
 #include "analysis/experiment/draw.h"
@@ -99,6 +100,7 @@ void render(const CommandOptions& command, const Given& given) {
   ExperimentOptions options;
   options.threads = parse_threads(given.threads);
   Destination picture(given.output);
+  tell_memory({configuration});
   Progress progress(command.name());
   options.progress = [&](double fraction) { progress.update(fraction); };
   picture.write(picture_png(configuration, shown, options));

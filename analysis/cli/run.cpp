@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "analysis/cli/experiment_arguments.h"
+#include "analysis/cli/memory_notice.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
 #include "analysis/experiment/experiment.h"
@@ -24,12 +25,15 @@ void run(const CommandOptions& command, const Given& given) {
   ExperimentOptions options;
   options.threads = parse_threads(given.threads);
   Destination json(given.json);
+  tell_memory(configurations);
   Progress progress(command.name());
   options.progress = [&](double fraction) { progress.update(fraction); };
   Report report = run_experiment(configurations, options);
   report.command = command.command_line();
-  json.write(report_text(report));
-  if (!json.is_stdout()) print(find_format("text").write(run_summaries(report)));
+  make_all({[&] { json.write(report_text(report)); },
+            [&] {
+              if (!json.is_stdout()) print(find_format("text").write(run_summaries(report)));
+            }});
 }
 
 Action declare(CommandOptions& options) {

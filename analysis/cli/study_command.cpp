@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 #include <set>
 
 #include "analysis/base/json_text.h"
 #include "analysis/cli/experiment_arguments.h"
+#include "analysis/cli/memory_notice.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/progress.h"
 #include "analysis/cli/table_arguments.h"
@@ -83,6 +83,7 @@ Report make_report(const CommandOptions& command, const Given& given) {
   options.threads = parse_threads(given.threads);
   if (!given.out.empty()) make_directory(given.out);
   Pictures pictures(given.out);
+  tell_memory(configurations);
   Progress progress(command.name());
   options.progress = [&](double fraction) { progress.update(fraction); };
   options.on_output = [&](const FinishedOutput& finished) { pictures.take(finished); };
@@ -103,11 +104,10 @@ void write_directory(const std::string& directory, const Study& study, const Rep
 }
 
 void tell_end(const Given& given, const Report& report) {
-  std::string text =
-      fmt::format("lanescope: {} runs took {:.1f} s on {} threads", report.runs.size(),
-                  report.timing.wall_ms / 1000.0, report.timing.threads);
+  std::string text = fmt::format("{} runs took {:.1f} s on {} threads", report.runs.size(),
+                                 report.timing.wall_ms / 1000.0, report.timing.threads);
   if (!given.out.empty()) text += fmt::format("; results are in {}/", given.out);
-  std::fputs((text + '\n').c_str(), stderr);
+  tell(text);
 }
 
 void run(const CommandOptions& command, const Study& study, const Given& given) {
@@ -116,9 +116,13 @@ void run(const CommandOptions& command, const Study& study, const Given& given) 
   Destination json(given.json);
   const Report report = from_file ? read_report(given.from) : make_report(command, given);
   const std::string text = document(study, request, report);
-  json.write(report_text(report));
-  if (!given.out.empty()) write_directory(given.out, study, report);
-  if (!json.is_stdout()) print(text);
+  make_all({[&] { json.write(report_text(report)); },
+            [&] {
+              if (!given.out.empty()) write_directory(given.out, study, report);
+            },
+            [&] {
+              if (!json.is_stdout()) print(text);
+            }});
   if (!from_file) tell_end(given, report);
 }
 

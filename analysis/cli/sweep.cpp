@@ -5,15 +5,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 #include "analysis/base/files.h"
 #include "analysis/cli/experiment_arguments.h"
+#include "analysis/cli/memory_notice.h"
 #include "analysis/cli/output.h"
+#include "analysis/cli/process.h"
 #include "analysis/cli/progress.h"
 #include "analysis/cli/values.h"
 #include "analysis/configuration/configuration_json.h"
+#include "analysis/sweep/cell_claims.h"
 #include "analysis/sweep/sweep_json.h"
 #include "analysis/sweep/sweep_spec.h"
 #include "simulator/base/error.h"
@@ -105,14 +107,16 @@ void list(const Request& request, const SweepDirectory& directory) {
   std::string text;
   for (const Configuration& cell : request.cells) {
     const auto report = directory.find(cell);
+    const std::string id = cell_id(cell);
     const bool has_failed = !report && directory.has_failed(cell);
     if (report) done.push_back(*report);
     if (!report) left.push_back(cell);
     if (has_failed) ++failed;
-    text += fmt::format("{}  {:6}{}\n", cell_id(cell),
-                        report       ? "done"
-                        : has_failed ? "failed"
-                                     : "left",
+    text += fmt::format("{}  {:7}{}\n", id,
+                        report                             ? "done"
+                        : is_claimed(directory.path(), id) ? "running"
+                        : has_failed                       ? "failed"
+                                                           : "left",
                         values_of(cell, names));
   }
   text += fmt::format("{} cells: {} done, {} failed, {} left in {} groups\n", request.cells.size(),
@@ -130,16 +134,31 @@ std::string summary_path(const SweepDirectory& directory, const Shard& shard) {
 double percent(double part, double whole) { return whole > 0.0 ? 100.0 * part / whole : 0.0; }
 
 void tell_end(const SweepSummary& s) {
-  std::string text = fmt::format(
-      "lanescope: {} cells: {} done, {} failed, {} finished before; {:.1f} s on {} threads",
-      s.cells, s.done, s.failed, s.skipped, s.wall_ms / 1000.0, s.threads);
+  tell(fmt::format("{} cells: {} done, {} failed, {} finished before{}; {:.1f} s on {} threads",
+                   s.cells, s.done, s.failed, s.skipped,
+                   s.elsewhere > 0 ? fmt::format(", {} by others", s.elsewhere) : "",
+                   s.wall_ms / 1000.0, s.threads));
   if (s.done > 0)
-    text += fmt::format(
-        "\nlanescope: making the work took {:.1f} s, {:.0f}% of the time; not shared it would be "
+    tell(fmt::format(
+        "making the work took {:.1f} s, {:.0f}% of the time; not shared it would be "
         "{:.1f} s, and all time {:.2f} times as much; peak memory {} MB",
         s.source_ms / 1000.0, percent(s.source_ms, s.work_ms()), s.source_unshared_ms / 1000.0,
-        s.work_unshared_ms() / s.work_ms(), s.peak_memory_bytes >> 20);
-  std::fputs((text + '\n').c_str(), stderr);
+        s.work_unshared_ms() / s.work_ms(), s.peak_memory_bytes >> 20));
+}
+
+/// What went wrong, the first few of many kinds.
+void tell_failures(const std::string& out, const SweepDirectory& directory, const SweepSummary& s) {
+  constexpr std::size_t kShown = 10;
+  std::size_t shown = 0;
+  for (const auto& [reason, cells] : s.failures) {
+    if (++shown > kShown) break;
+    tell(fmt::format("{} failed: {}", cells == 1 ? "1 cell" : fmt::format("{} cells", cells),
+                     reason));
+  }
+  if (s.failures.size() > kShown)
+    tell(fmt::format("and {} other reasons", s.failures.size() - kShown));
+  tell(fmt::format("{}: {} of {} cells failed; their errors are in {}/", out, s.failed, s.cells,
+                   directory.failed_path()));
 }
 
 SweepSummary run_shown(const Request& request, const SweepDirectory& directory,
@@ -149,8 +168,11 @@ SweepSummary run_shown(const Request& request, const SweepDirectory& directory,
   options.progress = [&](const SweepProgress& p) {
     const double per_minute =
         60.0 * static_cast<double>(p.done + p.failed) / std::max(1e-3, progress.elapsed_s());
-    progress.update(p.fraction, fmt::format("{} done, {} failed, {} left, {:.1f} cells/min", p.done,
-                                            p.failed, p.left, per_minute));
+    progress.update(
+        p.fraction,
+        fmt::format("{} done, {} failed, {} left{}, {:.1f} cells/min", p.done, p.failed, p.left,
+                    p.elsewhere > 0 ? fmt::format(" ({} run by others)", p.elsewhere) : "",
+                    per_minute));
   };
   return run_sweep(request.cells, directory, options);
 }
@@ -164,15 +186,14 @@ int sweep(const CommandOptions& command, const Given& given) {
     return 0;
   }
   directory.open();
-  AtomicFile summary_file(summary_path(directory, request.shard));
+  say_when_interrupted(command.name(), "finished cells are kept, the same command goes on");
+  tell_memory(request.cells, request.options.group_limits);
+  OutputFile summary_file(summary_path(directory, request.shard));
   const SweepSummary summary = run_shown(request, directory, command.name());
   if (summary.done + summary.failed > 0) summary_file.commit(summary_text(summary));
   tell_end(summary);
   if (summary.failed == 0) return 0;
-  std::fputs(fmt::format("lanescope: {}: {} of {} cells failed; their errors are in {}/\n",
-                         given.out, summary.failed, summary.cells, directory.failed_path())
-                 .c_str(),
-             stderr);
+  tell_failures(given.out, directory, summary);
   return 1;
 }
 

@@ -101,18 +101,20 @@ class Outputs {
 
   /// All files appear once everything has been traced.
   void write() {
-    if (!png_.is_none())
-      png_.write(lane_strip_picture(strips_.at_one_scale(), PictureFormat::kPng));
-    if (!svg_.is_none())
-      svg_.write(lane_strip_picture(strips_.at_one_scale(), PictureFormat::kSvg));
-    if (!chrome_file_.is_none()) {
-      chrome_.finish();
-      chrome_file_.write();
-    }
-    listing_file_.write();
+    make_all({[&] { write_strips(png_, PictureFormat::kPng); },
+              [&] { write_strips(svg_, PictureFormat::kSvg); },
+              [&] {
+                if (!chrome_file_.is_none()) chrome_.finish();
+                chrome_file_.write();
+              },
+              [&] { listing_file_.write(); }});
   }
 
  private:
+  void write_strips(Destination& file, PictureFormat format) {
+    if (!file.is_none()) file.write(lane_strip_picture(strips_.at_one_scale(), format));
+  }
+
   Destination png_, svg_, chrome_file_, listing_file_;
   LaneStrips strips_;
   ChromeTrace chrome_{[this](std::string_view text) { chrome_file_.append(text); }};

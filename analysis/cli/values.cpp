@@ -5,6 +5,9 @@
 #include <charconv>
 #include <thread>
 
+#include "analysis/base/parallel.h"
+#include "analysis/cli/output.h"
+
 namespace lanescope {
 namespace {
 
@@ -27,9 +30,14 @@ int parse_integer(const Argument& argument, int low, int high) {
 }
 
 int parse_threads(const std::string& text) {
-  if (!text.empty()) return parse_integer({"--threads", text}, 1, kMaxThreads);
-  const int available = static_cast<int>(std::thread::hardware_concurrency());
-  return std::clamp(available, 1, kMaxThreads);
+  const int of_the_host = static_cast<int>(std::thread::hardware_concurrency());
+  const int wanted = text.empty() ? std::clamp(of_the_host, 1, kMaxThreads)
+                                  : parse_integer({"--threads", text}, 1, kMaxThreads);
+  const int threads = startable_threads(wanted);
+  if (threads < wanted)
+    tell(fmt::format("--threads: only {} of {} can be had; going on with {}", threads, wanted,
+                     threads));
+  return threads;
 }
 
 std::vector<Argument> parse_list(const Argument& argument) {

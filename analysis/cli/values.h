@@ -24,7 +24,7 @@ struct Argument {
 
 int parse_integer(const Argument& argument, int low, int high);
 
-/// Threads to use: as asked, or as many as the host has.
+/// Threads to use: as asked, or as many as the host has. Warns where the system starts fewer.
 int parse_threads(const std::string& text);
 
 /// The elements between commas, of which none is empty or given twice.

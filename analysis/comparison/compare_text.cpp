@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/base/markdown_text.h"
 #include "analysis/comparison/compare.h"
 
 namespace lanescope {
@@ -74,7 +75,9 @@ std::string aligned(const std::vector<Cells>& lines) {
 std::string markdown_table(const std::vector<Cells>& lines) {
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    text += fmt::format("| {} |\n", fmt::join(lines[i], " | "));
+    text += '|';
+    for (const std::string& cell : lines[i]) text += fmt::format(" {} |", markdown_text(cell));
+    text += '\n';
     if (i == 0) text += "| --- | ---: | ---: | ---: | ---: |\n";
   }
   return text;
@@ -132,9 +135,13 @@ std::string makers(const ComparisonDocument& document, std::string_view gap) {
 
 std::string lone_runs(const std::string& where, const std::vector<LoneRun>& runs, bool markdown) {
   if (runs.empty()) return "";
-  std::string text =
-      fmt::format("\n{}Only in {}:\n{}", markdown ? "### " : "", where, markdown ? "\n" : "");
-  for (const LoneRun& run : runs) text += fmt::format("{}{}\n", markdown ? "- " : "  ", run.run);
+  if (!markdown) {
+    std::string text = fmt::format("\nOnly in {}:\n", where);
+    for (const LoneRun& run : runs) text += fmt::format("  {}\n", run.run);
+    return text;
+  }
+  std::string text = fmt::format("\n### Only in {}:\n\n", markdown_text(where));
+  for (const LoneRun& run : runs) text += fmt::format("- {}\n", markdown_text(run.run));
   return text;
 }
 
@@ -172,13 +179,15 @@ Json lone_json(const std::vector<LoneRun>& runs) {
 }  // namespace
 
 std::string ComparisonDocument::text(bool markdown) const {
-  std::string document = summary(*this) + makers(*this, markdown ? "\n" : "");
+  const std::string head = summary(*this) + makers(*this, markdown ? "\n" : "");
+  std::string document = markdown ? markdown_text(head) : head;
   for (const RunChanges& run : comparison.runs) {
     const std::size_t all = run.changes.size();
     const std::size_t count = limit == 0 ? all : std::min(limit, all);
     const std::vector<Cells> lines = lines_of(run, count);
-    document += markdown ? fmt::format("\n### {}\n\n{}", run.run, markdown_table(lines))
-                         : fmt::format("\n{}\n{}", run.run, aligned(lines));
+    document += markdown
+                    ? fmt::format("\n### {}\n\n{}", markdown_text(run.run), markdown_table(lines))
+                    : fmt::format("\n{}\n{}", run.run, aligned(lines));
     if (count < all)
       document += fmt::format("{}... and {} more\n", markdown ? "\n" : "  ", all - count);
   }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "analysis/base/printable.h"
+
 namespace lanescope {
 namespace {
 
@@ -40,6 +42,8 @@ const Kernel& kernel_of(const Arguments& given) {
 }
 
 void check_scene(const std::string& scene, const Workload& workload) {
+  if (std::string problem = scene_name_problem(scene); !problem.empty())
+    throw ParameterError(find_run_parameter("scene")->parameter().words, std::move(problem));
   if (workload.find_scene(scene) || workload.is_file(scene)) return;
   const auto names = names_of(workload.scenes);
   const std::string file =
@@ -116,6 +120,13 @@ std::string takers_of(std::string_view parameter) {
   }
   if (takers.size() == kernels().size()) return "every kernel";
   return list_and(takers);
+}
+
+std::string scene_name_problem(std::string_view scene) {
+  if (is_printable(scene)) return {};
+  return fmt::format(
+      "'{}' is not text in UTF-8 without control characters, as a report has it; rename the file",
+      printable(scene));
 }
 
 Value value_of(const Configuration& configuration, std::string_view parameter) {

@@ -50,6 +50,10 @@ const Parameter* find_parameter(std::string_view name);
 /// The names of the kernels that take a parameter; `every kernel` if all do.
 std::string takers_of(std::string_view parameter);
 
+/// Why a file of that name can be no scene, for a message: it could not stand in a report. Empty if
+/// it can.
+std::string scene_name_problem(std::string_view scene);
+
 /// The value of a parameter; nothing if the configuration does not have it.
 Value value_of(const Configuration& configuration, std::string_view parameter);
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "analysis/base/build_info.h"
+#include "analysis/base/memory.h"
 #include "analysis/base/parallel.h"
 #include "analysis/experiment/group_run.h"
 #include "analysis/experiment/run_record.h"
@@ -86,6 +87,9 @@ Report run_experiment(const std::vector<Configuration>& configurations,
   Dictionary dictionary;
   OutputPool own_outputs;
   OutputPool& outputs = options.outputs ? *options.outputs : own_outputs;
+  const std::uint64_t bytes = output_bytes(configurations, options.group_limits);
+  if (bytes > available_memory_bytes()) outputs.clear();
+  require_memory(bytes);
   const std::vector<Indices> groups = group_by_source(configurations, options.group_limits);
   for (std::size_t i = 0; i < groups.size(); ++i) {
     GroupRun group(selected(configurations, groups[i]), outputs, options.threads);

@@ -33,10 +33,8 @@ struct Group {
   }
 };
 
-}  // namespace
-
-std::vector<std::vector<std::size_t>> group_by_source(
-    const std::vector<Configuration>& configurations, const GroupLimits& limits) {
+std::vector<Group> groups_of(const std::vector<Configuration>& configurations,
+                             const GroupLimits& limits) {
   std::vector<Group> groups;
   std::unordered_map<std::string, std::size_t> latest;  // The last group of each source.
   for (std::size_t i = 0; i < configurations.size(); ++i) {
@@ -49,9 +47,24 @@ std::vector<std::vector<std::size_t>> group_by_source(
     groups[place->second].members.push_back(i);
     groups[place->second].bytes += bytes;
   }
+  return groups;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> group_by_source(
+    const std::vector<Configuration>& configurations, const GroupLimits& limits) {
   std::vector<std::vector<std::size_t>> indices;
-  for (Group& group : groups) indices.push_back(std::move(group.members));
+  for (Group& group : groups_of(configurations, limits))
+    indices.push_back(std::move(group.members));
   return indices;
+}
+
+std::uint64_t output_bytes(const std::vector<Configuration>& configurations,
+                           const GroupLimits& limits) {
+  std::uint64_t most = 0;
+  for (const Group& group : groups_of(configurations, limits)) most = std::max(most, group.bytes);
+  return most;
 }
 
 bool observes(const Configuration& configuration) {

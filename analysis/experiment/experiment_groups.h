@@ -24,6 +24,10 @@ struct GroupLimits {
 std::vector<std::vector<std::size_t>> group_by_source(
     const std::vector<Configuration>& configurations, const GroupLimits& limits);
 
+/// The memory that outputs take at a time when these groups run one after another.
+std::uint64_t output_bytes(const std::vector<Configuration>& configurations,
+                           const GroupLimits& limits);
+
 /// Whether memory and source lines are observed in some pieces of a configuration's work.
 bool observes(const Configuration& configuration);
 

@@ -16,6 +16,8 @@ class OutputPool {
   /// An empty output of the kernel of a configuration. If none of the pool can become one, the pool
   /// lets go of all: no memory lies idle while more is asked for.
   std::unique_ptr<Output> take(const Configuration& configuration, const Source& source);
+  /// Lets go of all that lies idle.
+  void clear() { idle_.clear(); }
   /// Takes back an output of that kernel.
   void give_back(const Kernel& kernel, std::unique_ptr<Output> output);
 

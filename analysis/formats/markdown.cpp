@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "analysis/base/markdown_text.h"
 #include "analysis/formats/format.h"
 
 namespace lanescope {
 namespace {
 
-/// Text that Markdown leaves as it is within a table.
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '|' || c == '*' || c == '_' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result;
-}
-
 std::string line(std::string_view label, const std::vector<std::string>& cells,
                  std::size_t columns) {
   std::string text = fmt::format("| {} |", label);
   for (std::size_t i = 0; i < columns; ++i)
-    text += fmt::format(" {} |", i < cells.size() ? escaped(cells[i]) : "");
+    text += fmt::format(" {} |", i < cells.size() ? markdown_text(cells[i]) : "");
   return text + '\n';
 }
 
@@ -33,14 +24,14 @@ std::string write_table(const TableData& data) {
     headers.push_back(column.header);
     rule += column.words ? " --- |" : " ---: |";
   }
-  std::string text =
-      fmt::format("### {}\n\nOf: {}\n\n{}{}\n", escaped(data.title), escaped(data.caption),
-                  line(escaped(data.row_header), headers, columns), rule);
+  std::string text = fmt::format("### {}\n\nOf: {}\n\n{}{}\n", markdown_text(data.title),
+                                 markdown_text(data.caption),
+                                 line(markdown_text(data.row_header), headers, columns), rule);
   for (const WordGrid::Line& row : grid.lines) {
-    const std::string label = escaped(row.label);
+    const std::string label = markdown_text(row.label);
     text += line(row.heading ? fmt::format("**{}**", label) : label, row.cells, columns);
   }
-  for (const std::string& note : data.notes) text += fmt::format("\n{}\n", escaped(note));
+  for (const std::string& note : data.notes) text += fmt::format("\n{}\n", markdown_text(note));
   return text;
 }
 

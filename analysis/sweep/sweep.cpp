@@ -2,13 +2,18 @@
 #include "analysis/sweep/sweep.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <limits>
+#include <new>
+#include <thread>
 
 #include "analysis/base/build_info.h"
+#include "analysis/base/memory.h"
 #include "analysis/experiment/experiment.h"
 #include "analysis/experiment/stopwatch.h"
 #include "analysis/report/merge.h"
+#include "analysis/sweep/cell_claims.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {
@@ -31,6 +36,9 @@ double expected_work(const std::vector<Configuration>& cells) {
   return sum;
 }
 
+/// Between looks at what other processes do.
+constexpr std::chrono::milliseconds kPatience{300};
+
 /// One start of a sweep.
 class Sweep {
  public:
@@ -42,19 +50,56 @@ class Sweep {
     summary_.cells = cells.size();
     summary_.skipped = cells.size() - left_.size();
     summary_.threads = options.threads;
+    to_do_ = left_.size();
     work_ = expected_work(left_);
   }
 
   SweepSummary run() {
     Stopwatch watch;
-    for (const Indices& group : group_by_source(left_, options_.group_limits))
-      run_group(select(left_, group));
+    while (!left_.empty()) {
+      const std::vector<Configuration> claimed_elsewhere = run_what_is_free();
+      // Their processes finish them, or end and so leave them to others.
+      if (claimed_elsewhere.size() == left_.size()) std::this_thread::sleep_for(kPatience);
+      left_ = claimed_elsewhere;
+      elsewhere_ = left_.size();
+      tell(0.0);
+    }
     summary_.wall_ms = watch.ms();
     summary_.peak_memory_bytes = peak_memory_bytes();
     return summary_;
   }
 
  private:
+  /// Runs the cells that no other process has claimed. Returns those that one has.
+  std::vector<Configuration> run_what_is_free() {
+    std::vector<Configuration> claimed_elsewhere;
+    for (const Indices& indices : group_by_source(left_, options_.group_limits)) {
+      std::vector<Configuration> group;
+      std::vector<std::string> ids;
+      for (const Configuration& cell : select(left_, indices)) {
+        const std::string id = cell_id(cell);
+        if (!claims_.take(id)) {
+          claimed_elsewhere.push_back(cell);
+          continue;
+        }
+        ids.push_back(id);
+        if (directory_.find(cell))
+          skip(cell);
+        else
+          group.push_back(cell);
+      }
+      if (!group.empty()) run_group(group);
+      for (const std::string& id : ids) claims_.give_back(id);
+    }
+    return claimed_elsewhere;
+  }
+
+  /// Another process has finished the cell.
+  void skip(const Configuration& cell) {
+    ++summary_.elsewhere;
+    work_done_ += expected_work(cell);
+  }
+
   /// Runs cells together. If that fails, each one by itself, so that only the guilty one fails.
   void run_group(const std::vector<Configuration>& group) {
     std::string error;
@@ -63,6 +108,7 @@ class Sweep {
     } else if (group.size() == 1) {
       directory_.keep_failure(group.front(), error);
       ++summary_.failed;
+      ++summary_.failures[error];
     } else {
       for (const Configuration& cell : group) run_group({cell});
       return;
@@ -79,10 +125,12 @@ class Sweep {
     options.progress = [&](double fraction) { tell(fraction * expected_work(group)); };
     try {
       return run_experiment(group, options);
+    } catch (const std::bad_alloc&) {
+      error = kOutOfMemory;
     } catch (const std::exception& failure) {
       error = failure.what();
-      return std::nullopt;
     }
+    return std::nullopt;
   }
 
   void keep(const std::vector<Configuration>& group, Report report) {
@@ -102,14 +150,17 @@ class Sweep {
   /// `work` is finished in the group that runs.
   void tell(double work) const {
     if (!options_.progress) return;
-    const std::size_t finished = summary_.done + summary_.failed;
-    options_.progress({summary_.done, summary_.failed, left_.size() - finished,
+    const std::size_t finished = summary_.done + summary_.failed + summary_.elsewhere;
+    options_.progress({summary_.done, summary_.failed, to_do_ - finished, elsewhere_,
                        std::min(1.0, (work_done_ + work) / work_)});
   }
 
   const SweepDirectory& directory_;
   const SweepOptions& options_;
+  const CellClaims claims_{directory_.path()};
   std::vector<Configuration> left_;
+  std::size_t to_do_ = 0;      ///< Cells that were left at the start.
+  std::size_t elsewhere_ = 0;  ///< Of those left, the ones that other processes were running.
   SweepSummary summary_;
   OutputPool outputs_;
   double work_ = 0.0;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ struct SweepProgress {
   std::size_t done = 0;
   std::size_t failed = 0;
   std::size_t left = 0;
-  double fraction = 0.0;  ///< Of the expected work of this start, from 0 to 1.
+  std::size_t elsewhere = 0;  ///< Of those left, the ones that other processes were running.
+  double fraction = 0.0;      ///< Of the expected work of this start, from 0 to 1.
 };
 
 struct SweepOptions {
@@ -44,7 +46,8 @@ struct SweepSummary {
   std::size_t skipped = 0;  ///< Finished before.
   std::size_t done = 0;
   std::size_t failed = 0;
-  std::size_t groups = 0;  ///< Sources that were opened for the cells done.
+  std::size_t elsewhere = 0;  ///< Finished by other processes meanwhile.
+  std::size_t groups = 0;     ///< Sources that were opened for the cells done.
   double wall_ms = 0.0;
   int threads = 1;
   double kernel_ms = 0.0;  ///< This and the times below are summed over threads.
@@ -52,14 +55,16 @@ struct SweepSummary {
   double source_ms = 0.0;           ///< Making the work.
   double source_unshared_ms = 0.0;  ///< Had the work of each cell been made by itself.
   std::uint64_t peak_memory_bytes = 0;
+  std::map<std::string, std::size_t> failures;  ///< How many cells failed, by what went wrong.
 
   double work_ms() const { return kernel_ms + observation_ms + source_ms; }
   double work_unshared_ms() const { return work_ms() - source_ms + source_unshared_ms; }
 };
 
-/// Runs the cells whose reports are not in the directory yet. A cell that cannot be run is kept as
-/// a failure and does not stop the others. Requires that the directory is open. Throws InputError
-/// if results cannot be written.
+/// Runs the cells whose reports are not in the directory yet, but for those that other processes
+/// run; waits for these in the end, and runs what they have left undone. A cell that cannot be run
+/// is kept as a failure and does not stop the others. Requires that the directory is open. Throws
+/// InputError if results cannot be written.
 SweepSummary run_sweep(const std::vector<Configuration>& cells, const SweepDirectory& directory,
                        const SweepOptions& options);
 

@@ -7,6 +7,7 @@
 #include "analysis/base/build_info.h"
 #include "analysis/base/files.h"
 #include "analysis/base/json_text.h"
+#include "analysis/base/printable.h"
 #include "analysis/configuration/configuration_json.h"
 #include "analysis/report/report_json.h"
 #include "analysis/sweep/content_hash.h"
@@ -80,7 +81,7 @@ void SweepDirectory::keep_failure(const Configuration& cell, std::string_view er
   write_file(failure_path(cell),
              json_text({{"schema", {{"name", kFailureSchema}, {"version", kFailureVersion}}},
                         {"parameters", configuration_json(cell)},
-                        {"error", error}}));
+                        {"error", printable(error)}}));
 }
 
 std::vector<std::string> SweepDirectory::cell_files() const { return json_files(cells_path()); }

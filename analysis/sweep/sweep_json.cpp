@@ -6,7 +6,7 @@
 namespace lanescope {
 namespace {
 
-constexpr int kSummaryVersion = 2;
+constexpr int kSummaryVersion = 3;
 constexpr std::string_view kSummarySchema = "lanescope-sweep-summary";
 
 }  // namespace
@@ -17,6 +17,7 @@ std::string summary_text(const SweepSummary& s) {
                     {"skipped", s.skipped},
                     {"done", s.done},
                     {"failed", s.failed},
+                    {"elsewhere", s.elsewhere},
                     {"groups", s.groups},
                     {"wall_ms", json_ms(s.wall_ms)},
                     {"threads", s.threads},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "analysis/base/memory.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {
@@ -101,6 +102,7 @@ void trace(const Configuration& configuration, const TraceWindow& window,
   const Kernel& kernel = traced_kernel(configuration);
   const std::unique_ptr<RegionFilter> filter = region_filter(configuration, window);
   const std::unique_ptr<Source> source = open_source(configuration);
+  require_memory(kernel.output_bytes(configuration.arguments));
   for (TraceSink* sink : sinks) sink->begin(configuration, kernel);
 
   WindowRun run(configuration, kernel, *source, window, sinks);

@@ -313,7 +313,7 @@ TEST_F(Compare, LongListsAreCut) {
 TEST_F(Compare, MarkdownHasTables) {
   tests() = 220;
   EXPECT_NE(document(result()).text(true).find(
-                "### kernel=lockstep width_lanes=8 scene=ballroll micropolygon=triangle\n\n"
+                "### kernel=lockstep width\\_lanes=8 scene=ballroll micropolygon=triangle\n\n"
                 "| Figure | old | new | change | relative |\n"
                 "| --- | ---: | ---: | ---: | ---: |\n"
                 "| tests | 200 | 220 | +20 | +10% |\n"),

@@ -21,6 +21,11 @@ TEST(ParallelFor, DoesEachItemOnce) {
   }
 }
 
+TEST(StartableThreads, AreThoseAskedForAndTheCallersAtLeast) {
+  EXPECT_EQ(startable_threads(1), 1);
+  EXPECT_EQ(startable_threads(3), 3);
+}
+
 TEST(ParallelFor, DoesNothingForNoItems) {
   parallel_for(4, 0, [](int, int) { FAIL(); });
 }

@@ -147,7 +147,7 @@ const std::vector<BadReport> kBadReports{
     {"LanesMissing", [](Json& j) { j["runs"][0]["stages"][2]["lane_active"].erase(7); },
      "r.json:/runs/0/stages/2/lane_active: has 7 elements; 8 are needed"},
     {"NegativeCount", [](Json& j) { j["runs"][0]["stages"][0]["histogram"][3] = -4; },
-     "r.json:/runs/0/stages/0/histogram/3: -4 is not an integer of at least 0"},
+     "r.json:/runs/0/stages/0/histogram/3: -4 is not an integer from 0 to 2^64 - 1"},
     {"EditedCount", [](Json& j) { j["runs"][0]["stages"][1]["instructions"][0]["active"] = 73; },
      "r.json:/runs/0/stages/1/utilization/numerator: 72 is not 73, which the counts give"},
     {"EditedHistogram", [](Json& j) { j["runs"][0]["stages"][1]["histogram"][0] = 1; },
@@ -266,7 +266,7 @@ const std::vector<BadReport> kBadReports{
     {"LineFromZero", [](Json& j) { j["runs"][0]["source_lines"][0]["line"] = 0; },
      "r.json:/runs/0/source_lines/0/line: 0 is not an integer of at least 1"},
     {"SeriesOfText", [](Json& j) { j["runs"][0]["series"][0]["values"][1] = "3"; },
-     "r.json:/runs/0/series/0/values/1: \"3\" is not an integer of at least 0"},
+     "r.json:/runs/0/series/0/values/1: \"3\" is not an integer from 0 to 2^64 - 1"},
     {"OtherMachine", [](Json& j) { j["machine"]["line_bytes"] = 32; },
      "r.json:/machine/line_bytes: 32 is not 64"},
     {"OtherElements", [](Json& j) { j["machine"]["element_types"][1] = "int16"; },
@@ -298,7 +298,7 @@ const std::vector<BadReport> kBadReports{
     {"NoThreads", [](Json& j) { j["timing"]["threads"] = 0; },
      "r.json:/timing/threads: 0 is not an integer of at least 1"},
     {"NegativeMemory", [](Json& j) { j["timing"]["peak_memory_bytes"] = -1; },
-     "r.json:/timing/peak_memory_bytes: -1 is not an integer of at least 0"},
+     "r.json:/timing/peak_memory_bytes: -1 is not an integer from 0 to 2^64 - 1"},
     {"EditedValue", [](Json& j) { j["runs"][0]["stages"][1]["utilization"]["value"] = 0.95; },
      "r.json:/runs/0/stages/1/utilization/value: 0.95 is not 0.9, the numerator over the "
      "denominator"},
@@ -346,8 +346,21 @@ TEST(BadJson, TwiceTheSameMemberIsRefused) {
             "r.json: an object has the member 'schema' twice");
 }
 
-TEST(BadJson, NumbersThatNothingHoldsAreRefused) {
-  EXPECT_EQ(complaint("[1e999]").rfind("r.json: has a number too large for a double: ", 0), 0u);
+TEST(BadJson, NumbersThatNothingHoldsAreRefusedWithTheirPlace) {
+  EXPECT_EQ(complaint("[1e999]"), "r.json:1:2: 1e999 is not a number up to 1.8e308");
+  EXPECT_EQ(complaint("{\"-1e999 \\\" -1e999\":\n  -1e999}"),
+            "r.json:2:3: -1e999 is not a number up to 1.8e308");
+}
+
+TEST(BadJson, CountsBeyond64BitsAreRefused) {
+  std::string text = report_text(testing::sample_report());
+  const std::string pieces = "\"pieces\": 3";
+  const std::size_t place = text.find(pieces);
+  ASSERT_NE(place, text.npos);
+  text.replace(place, pieces.size(), "\"pieces\": 18446744073709551616");
+  EXPECT_EQ(complaint(text),
+            "r.json:/runs/0/source/pieces: 1.8446744073709552e+19 is not an integer from 0 to "
+            "2^64 - 1");
 }
 
 TEST(BadJson, MissingFileIsNamed) {

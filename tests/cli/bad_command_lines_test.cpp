@@ -61,6 +61,17 @@ const std::vector<BadLine> kBadLines{
     {"run --width 8 --width 16", "--width: is given twice"},
     {"run --width ''", "--width: has an empty value"},
     {"run --scene ''", "--scene: has an empty value"},
+    {"run --json= --scene x", "--json: has an empty value"},
+    {"run --json=", "--json: has an empty value"},
+    {"run --jsno= --scene x", "--jsno: is not an option of run; did you mean '--json'?"},
+    {"run --json --scene x", "--json: needs a value; what follows is the option --scene"},
+    {R"x(run "$(printf '\033[31m')")x", "run: unexpected argument '\\x1b[31m'"},
+    {R"x(run "$(printf -- '--scene=tea\npot')")x",
+     "--scene: 'tea\\npot' is not text in UTF-8 without control characters, as a report has it; "
+     "rename the file"},
+    {R"x(run --mesh "$(printf 'w\374rfel.obj')")x",
+     "--mesh: 'w\\xfcrfel.obj' is not text in UTF-8 without control characters, as a report has "
+     "it; rename the file"},
     {"list", "list: of what? Use " + kLists},
     {"list kernel", "list: 'kernel' is not a list; use " + kLists + "; did you mean 'kernels'?"},
     {"list kernels --reference", "--reference: there is one of instructions only; leave it out"},

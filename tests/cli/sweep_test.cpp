@@ -14,6 +14,7 @@
 
 #include "analysis/base/json_text.h"
 #include "analysis/report/report_json.h"
+#include "analysis/sweep/cell_claims.h"
 #include "analysis/sweep/sweep_directory.h"
 #include "tests/cli/working_directory.h"
 
@@ -78,7 +79,7 @@ TEST_F(Sweep, MergedIsWhatOneRunGives) {
   const Outcome swept = run("sweep spec.json --out out");
   EXPECT_NE(swept.errors.find("8 cells: 8 done, 0 failed, 0 finished before"), std::string::npos);
   EXPECT_EQ(swept.output, "");
-  EXPECT_EQ(entries("out"), (std::set<std::string>{"cells", "summary.json"}));
+  EXPECT_EQ(entries("out"), (std::set<std::string>{"cells", "claims", "summary.json"}));
   EXPECT_EQ(cells().size(), kSmallCells);
   run("run --scene ballroll,teapot --micropolygon triangle,quad --kernel lockstep,repack --width 8 "
       "--resolution 48x30 --json run.json");
@@ -120,7 +121,7 @@ TEST_F(Sweep, ShardsTogetherAreTheSweep) {
     run(fmt::format("sweep spec.json --out parts --shard {}/3", shard));
   EXPECT_EQ(merged("parts"), merged("out"));
   EXPECT_EQ(entries("parts"),
-            (std::set<std::string>{"cells", "summary-1-of-3.json", "summary-2-of-3.json",
+            (std::set<std::string>{"cells", "claims", "summary-1-of-3.json", "summary-2-of-3.json",
                                    "summary-3-of-3.json"}));
   run("sweep spec.json --out first --shard 1/2");
   run("sweep spec.json --out second --shard 2/2");
@@ -132,7 +133,7 @@ TEST_F(Sweep, ShardsTogetherAreTheSweep) {
 TEST_F(Sweep, ADryRunListsAndRunsNothing) {
   const Outcome dry = run("sweep spec.json --out out --dry-run");
   EXPECT_EQ(entries(), std::set<std::string>{"spec.json"});
-  EXPECT_NE(dry.output.find("  left    kernel=repack  scene=teapot  micropolygon=quad"),
+  EXPECT_NE(dry.output.find("  left     kernel=repack  scene=teapot  micropolygon=quad"),
             std::string::npos)
       << dry.output;
   EXPECT_NE(dry.output.find("8 cells: 0 done, 0 failed, 8 left in 4 groups\n"), std::string::npos);
@@ -153,6 +154,10 @@ TEST_F(Sweep, ACellThatFailsDoesNotStopTheOthers) {
   const Outcome first = run("sweep mesh.json --out out", 1);
   EXPECT_NE(first.errors.find("lanescope: out: 2 of 4 cells failed; their errors are in "
                               "out/failed/\n"),
+            std::string::npos)
+      << first.errors;
+  EXPECT_NE(first.errors.find("lanescope: 2 cells failed: late.obj: cannot be opened: No such file "
+                              "or directory\n"),
             std::string::npos)
       << first.errors;
   EXPECT_EQ(cells().size(), 2u);
@@ -303,6 +308,44 @@ TEST_F(KilledSweep, ProcessesMayWorkOnOneDirectoryAtATime) {
     EXPECT_EQ(cells().size(), kKillCells);
     EXPECT_EQ(merged("out"), merged("alone"));
   }
+}
+
+TEST_F(KilledSweep, ProcessesOfOneDirectoryShareTheWork) {
+  std::vector<pid_t> all;
+  for (int i = 0; i < 3; ++i) all.push_back(start("1/1"));
+  for (const pid_t one : all) EXPECT_FALSE(was_killed(one));
+  const std::string told = file("errors");
+  std::size_t done = 0;
+  for (std::size_t at = 0; (at = told.find(" cells: ", at)) != told.npos; ++at)
+    done += std::stoull(told.substr(at + std::string(" cells: ").size()));
+  EXPECT_EQ(done, kKillCells) << told;
+}
+
+TEST_F(KilledSweep, ClaimsOfTheDeadExpireAndThoseOfOthersHold) {
+  run("sweep spec.json --out out");
+  const std::string name = cells().begin()->first;
+  const std::string id = name.substr(0, name.find('.'));
+  fs::remove(directory() / "out/cells" / name);
+  const pid_t holder = ::fork();
+  if (holder == 0) {
+    const CellClaims claims(directory() / "out");
+    const bool is_ours = claims.take(id);
+    write("claimed", "");
+    ::pause();
+    ::_exit(is_ours);
+  }
+  while (!fs::exists(directory() / "claimed")) std::this_thread::yield();
+  EXPECT_TRUE(is_claimed(directory() / "out", id));
+  EXPECT_NE(run("sweep spec.json --out out --dry-run").output.find(id + "  running"),
+            std::string::npos);
+  const pid_t waiting = start("1/1");
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  EXPECT_EQ(cells().size(), kKillCells - 1) << "was run twice";
+  ::kill(holder, SIGKILL);
+  EXPECT_TRUE(was_killed(holder));
+  EXPECT_FALSE(was_killed(waiting));
+  EXPECT_EQ(cells().size(), kKillCells);
+  EXPECT_FALSE(is_claimed(directory() / "out", id));
 }
 
 TEST_F(KilledSweep, LeftoversOfDeadProcessesGoAndThoseOfOthersStay) {
