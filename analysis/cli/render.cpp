@@ -100,7 +100,7 @@ void render(const CommandOptions& command, const Given& given) {
   ExperimentOptions options;
   options.threads = parse_threads(given.threads);
   Destination picture(given.output);
-  tell_memory({configuration});
+  if (!shown.view) tell_memory({configuration});
   Progress progress(command.name());
   options.progress = [&](double fraction) { progress.update(fraction); };
   picture.write(picture_png(configuration, shown, options));

@@ -2,6 +2,7 @@
 // Reads what report_json.cpp writes, and refuses everything else.
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "analysis/base/files.h"
 #include "analysis/base/json_cursor.h"
@@ -119,6 +120,27 @@ Charges read_charges(const JsonCursor& instructions) {
   return charges;
 }
 
+/// Checks that the dictionary explains nothing but what some run issued.
+void check_issued(const JsonCursor& instructions, const Report& report) {
+  std::set<std::string> issued;
+  for (const RunRecord& run : report.runs)
+    for (const StageRecord& stage : run.stages)
+      for (const InstructionRecord& counts : stage.instructions) issued.insert(counts.mnemonic);
+  for (const JsonCursor& entry : instructions.items())
+    if (const JsonCursor mnemonic = entry.member("mnemonic"); !issued.contains(mnemonic.string()))
+      mnemonic.fail("the mnemonic of an instruction that some run issued");
+}
+
+/// Checks that no two runs are the same.
+void check_distinct(const JsonCursor& runs, const Report& report) {
+  std::set<std::string> known;
+  const std::vector<JsonCursor> items = runs.items();
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (!known.insert(configuration_json(report.runs[i].configuration).dump()).second)
+      throw InputError(items[i].member("parameters").where(),
+                       "are those of an earlier run, too; each run has its own");
+}
+
 Timing read_timing(const JsonCursor& cursor, std::size_t runs) {
   cursor.require_members({"wall_ms", "threads", "host", "compiler", "kernel_ms", "source_ms",
                           "observation_ms", "peak_memory_bytes"});
@@ -212,6 +234,8 @@ Report parse_report(std::string_view text, const std::string& where) {
   const Charges charges = read_charges(document.member("instructions"));
   for (const JsonCursor& run : document.member("runs").items())
     report.runs.push_back(read_run(run, charges));
+  check_issued(document.member("instructions"), report);
+  check_distinct(document.member("runs"), report);
   report.timing = read_timing(document.member("timing"), report.runs.size());
   return report;
 }

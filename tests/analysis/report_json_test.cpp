@@ -154,12 +154,18 @@ TEST(ReportJson, AnExecutionMayTouchMoreLinesThanLanes) {
 
 TEST(ReportJson, EveryInstructionOfTheSetIsRead) {
   Report report = testing::sample_report();
-  report.instructions[0].mnemonic = "add";
-  for (const InstructionInfo* info : instruction_set())
-    if (info->mnemonic != "add" && info->mnemonic != "scatter")
-      report.instructions.push_back({std::string(info->mnemonic), std::string(info->meaning),
-                                     std::string(to_string(info->instruction_class)),
-                                     std::string(to_string(info->charge))});
+  StageRecord& stage = report.runs[0].stages[0];
+  for (const InstructionInfo* info : instruction_set()) {
+    if (info->mnemonic == "add" || info->mnemonic == "scatter") continue;
+    report.instructions.push_back({std::string(info->mnemonic), std::string(info->meaning),
+                                   std::string(to_string(info->instruction_class)),
+                                   std::string(to_string(info->charge))});
+    // Once, with no lane on.
+    stage.instructions.push_back(
+        {std::string(info->mnemonic), 1,
+         charged_lanes(info->charge, 1, 0, report.runs[0].configuration.width)});
+    stage.histogram[0] += 1;
+  }
   EXPECT_EQ(report_text(parse_report(report_text(report), "r")), report_text(report));
 }
 

@@ -284,6 +284,19 @@ const std::vector<BadReport> kBadReports{
      "r.json:/instructions/1/charge: \"no_lane\" is not active_lanes, all_lanes or one_lane; did "
      "you "
      "mean 'one_lane'?"},
+    {"ExplainedButNotIssued",
+     [](Json& j) {
+       j["instructions"].push_back(j["instructions"][0]);
+       j["instructions"].back()["mnemonic"] = "zoom";
+     },
+     "r.json:/instructions/2/mnemonic: \"zoom\" is not the mnemonic of an instruction that some "
+     "run issued"},
+    {"RunTwice",
+     [](Json& j) {
+       j["runs"].push_back(Json(j["runs"][1]));
+       j["timing"]["kernel_ms"].push_back(1);
+     },
+     "r.json:/runs/12/parameters: are those of an earlier run, too; each run has its own"},
     {"ExplainedTwice", [](Json& j) { j["instructions"][1]["mnemonic"] = "add"; },
      "r.json:/instructions/1/mnemonic: \"add\" is that of an earlier element, too; each has its "
      "own"},
