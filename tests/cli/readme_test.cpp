@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 
 #include "analysis/base/files.h"
 #include "tests/cli/program.h"
@@ -38,6 +39,58 @@ TEST(Readme, EveryCommandWorks) {
     const auto outcome = testing::lanescope_program(testing::made_small(command), directory);
     EXPECT_EQ(outcome.status, 0) << command << "\n" << outcome.errors;
   }
+  // They write into folders that git ignores.
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(directory))
+    names.insert(entry.path().filename().string());
+  EXPECT_EQ(names, (std::set<std::string>{"examples", "models", "out"}));
+}
+
+/// The files that lines with a command of the program write, as they stand on a page.
+std::vector<std::string> results_on(const fs::path& page) {
+  static const std::regex kResult(
+      " (-o|--json|--out|--png|--svg|--chrome|--listing) ([a-z0-9][^ `]*)");
+  std::vector<std::string> results;
+  std::ifstream in(page);
+  for (std::string line; std::getline(in, line);) {
+    if (line.find("lanescope ") == line.npos) continue;
+    for (std::sregex_iterator it(line.begin(), line.end(), kResult), end; it != end; ++it)
+      results.push_back((*it)[2]);
+  }
+  return results;
+}
+
+/// No page asks for a result beside the sources.
+TEST(Readme, EveryResultOfADocumentedCommandGoesToOut) {
+  const fs::path root = LANESCOPE_SOURCE_DIR;
+  std::vector<fs::path> pages{root / "README.md"};
+  for (const auto& entry : fs::directory_iterator(root / "docs"))
+    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  std::size_t count = 0;
+  for (const fs::path& page : pages)
+    for (const std::string& result : results_on(page)) {
+      EXPECT_TRUE(result == "out" || result.starts_with("out/")) << page << ": " << result;
+      ++count;
+    }
+  EXPECT_GE(count, 20u);
+}
+
+/// What the README runs is there after the command that it begins with.
+TEST(Readme, EveryProgramIsBuiltByTheScriptThatComesFirst) {
+  const fs::path root = LANESCOPE_SOURCE_DIR;
+  const std::string readme = read_file(root / "README.md");
+  const std::string script = read_file(root / "scripts" / "run");
+  std::smatch targets;
+  static const std::regex kTargets("cmake --build --preset release --target ([a-z_ ]+)");
+  ASSERT_TRUE(std::regex_search(script, targets, kTargets));
+  static const std::regex kProgram("\\$ build/release/bin/([a-z_]+)");
+  std::set<std::string> programs;
+  for (std::sregex_iterator it(readme.begin(), readme.end(), kProgram), end; it != end; ++it)
+    programs.insert((*it)[1]);
+  EXPECT_GE(programs.size(), 2u);
+  for (const std::string& program : programs)
+    EXPECT_NE((" " + targets[1].str() + " ").find(" " + program + " "), std::string::npos)
+        << program;
 }
 
 /// Links to files of the repository lead somewhere.
