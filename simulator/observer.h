@@ -32,6 +32,8 @@ struct IssueEvent {
   std::source_location at;
   /// Of a memory instruction, in the order of lanes; all are in one memory.
   std::span<const Touch> touches;
+  /// Where its block was opened: the line of the kernel that a shared helper was called for.
+  std::source_location block{};
 
   /// The lanes that the instruction is charged.
   std::uint64_t charged() const {

@@ -3,12 +3,13 @@
 
 namespace lanescope::detail {
 
-void charge_or_tell(SlowState& state, const InstructionInfo& info, std::size_t stage,
+void charge_or_tell(SlowState& state, const InstructionInfo& info, const OpenedBlock& block,
                     std::uint64_t active, bool overhead, const std::source_location& at) {
   if (state.checked)
-    state.tally.charge(stage, {&info, overhead}, active);
+    state.tally.charge(block.stage, {&info, overhead}, active);
   else
-    state.observer->issued({info, stage, state.width().lanes, active, overhead, at, state.touches});
+    state.observer->issued(
+        {info, block.stage, state.width().lanes, active, overhead, at, state.touches, block.at});
 }
 
 }  // namespace lanescope::detail

@@ -27,9 +27,15 @@ struct SlowState {
   Width width() const { return {tally.width()}; }
 };
 
+/// A block as it was opened, but for its mask.
+struct OpenedBlock {
+  std::size_t stage;
+  std::source_location at;
+};
+
 /// Charges a checked instruction, or tells the observer of a traced one, with what is in
 /// `state.touches`.
-void charge_or_tell(SlowState& state, const InstructionInfo& info, std::size_t stage,
+void charge_or_tell(SlowState& state, const InstructionInfo& info, const OpenedBlock& block,
                     std::uint64_t active, bool overhead, const std::source_location& at);
 
 /// Checks the operands and the accesses of an instruction, and keeps what it touches.
@@ -67,11 +73,11 @@ void examine(SlowState& state, Mask<L> active, const std::source_location& at,
 
 /// Not inlined: a slow machine is for finding mistakes, and is built more often than it runs.
 template <class Op, int L, class... Operands>
-[[gnu::noinline]] auto issue_slowly(SlowState& state, std::size_t stage, Mask<L> active,
+[[gnu::noinline]] auto issue_slowly(SlowState& state, const OpenedBlock& block, Mask<L> active,
                                     bool overhead, const std::source_location& at,
                                     const Operands&... operands) {
   examine<Op>(state, active, at, operands...);
-  charge_or_tell(state, Op::kInfo, stage, active.bits(), overhead, at);
+  charge_or_tell(state, Op::kInfo, block, active.bits(), overhead, at);
   using R = decltype(execute<Op>(active, state.width(), plain(operands)...));
   if constexpr (std::is_void_v<R>) {
     execute<Op>(active, state.width(), plain(operands)...);
@@ -90,8 +96,8 @@ inline namespace LANESCOPE_HOST {
 template <int L>
 class SlowBlock {
  public:
-  SlowBlock(detail::SlowState& state, std::size_t stage, Mask<L> active)
-      : state_(state), stage_(stage), active_(active) {}
+  SlowBlock(detail::SlowState& state, const detail::OpenedBlock& opened, Mask<L> active)
+      : state_(state), opened_(opened), active_(active) {}
   SlowBlock(const SlowBlock&) = delete;
   SlowBlock& operator=(const SlowBlock&) = delete;
 
@@ -100,7 +106,7 @@ class SlowBlock {
   /// Checks, charges and executes Op; see Instruction.
   template <class Op, class... Operands>
   auto issue(const std::source_location& at, const Operands&... operands) {
-    return detail::issue_slowly<Op>(state_, stage_, active_, false, at, operands...);
+    return detail::issue_slowly<Op>(state_, opened_, active_, false, at, operands...);
   }
 
   /// The same block for instructions that the kernel's baseline does not have to execute.
@@ -109,7 +115,7 @@ class SlowBlock {
     Mask<L> active() const { return block.active_; }
     template <class Op, class... Operands>
     auto issue(const std::source_location& at, const Operands&... operands) {
-      return detail::issue_slowly<Op>(block.state_, block.stage_, block.active_, true, at,
+      return detail::issue_slowly<Op>(block.state_, block.opened_, block.active_, true, at,
                                       operands...);
     }
   };
@@ -117,7 +123,7 @@ class SlowBlock {
 
  private:
   detail::SlowState& state_;
-  std::size_t stage_;
+  detail::OpenedBlock opened_;
   Mask<L> active_;
 };
 
@@ -134,7 +140,7 @@ class SlowSite {
   SlowBlock<L> on(Mask<L> active, std::source_location at = std::source_location::current()) {
     if (state_.checked && (active.bits() & ~low_bits(state_.width().lanes)) != 0)
       detail::fail_beyond_width(active.bits(), state_.width(), at);
-    return {state_, stage_, active};
+    return {state_, {stage_, at}, active};
   }
 
  private:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,12 @@
 
 namespace lanescope {
 
-/// What was issued at a line, by all stages that share it.
+/// What was issued at a line in one block of one stage. Lines of helpers are shared: the block says
+/// for whom.
 struct AnnotatedLine {
-  std::string file;
-  std::uint32_t line = 0;
-  std::string stages;  ///< Names, with commas.
+  SourcePlace place;
+  std::string stage;
+  std::optional<SourcePlace> block;  ///< Where it was opened, if the report says so.
   std::uint64_t issued = 0;
   std::uint64_t active = 0;    ///< Lanes charged.
   std::uint64_t overhead = 0;  ///< Those of `issued` that the kernel marks as overhead.
@@ -28,6 +30,7 @@ struct Annotation {
   int width = 0;
   std::string facet;  ///< As facet_of() has it.
   std::vector<std::string> scenes;
+  std::string setting;                ///< Of its runs, as shown_setting() has it.
   std::uint64_t pieces = 0;           ///< Of work.
   std::uint64_t pieces_observed = 0;  ///< What the sums are over.
   std::uint64_t issued = 0;           ///< At all lines.
@@ -43,11 +46,11 @@ struct Annotation {
 /// order of their first runs.
 std::vector<Annotation> annotate(const Report& report);
 
-/// The hottest `count` lines with their source, as a table.
+/// The hottest `count` lines with their source and that of their blocks, as a table.
 TableData hottest_lines(const Annotation& annotation, std::size_t count);
 
 /// The sources that the lines are in, each line with its share of the instructions, its utilization
-/// and the number issued in the margin.
+/// and the number issued in the margin, in all stages and blocks together.
 std::string annotated_source(const Annotation& annotation);
 
 }  // namespace lanescope

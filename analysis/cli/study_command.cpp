@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <set>
 
@@ -59,6 +60,24 @@ std::string document(const Study& study, const TableRequest& request, const Repo
   return request.format->write(build(request, view_of(study, report)));
 }
 
+/// Throws InputError for a report that the study has nothing to show of.
+Report read_report_for(const Study& study, const std::string& file) {
+  Report report = read_report(file);
+  if (!study.is_about(report)) throw InputError(file, "has no figures for these tables");
+  return report;
+}
+
+/// Throws InputError unless some run counts what the tables show.
+void require_counting(const std::vector<Configuration>& configurations) {
+  const bool counts = std::any_of(
+      configurations.begin(), configurations.end(),
+      [](const Configuration& configuration) { return configuration.mode != Mode::kUncounted; });
+  if (!counts)
+    throw InputError("--mode",
+                     "{} runs have no figures for tables; leave it out, or use `lanescope run`",
+                     name_of(kModes, Mode::kUncounted));
+}
+
 /// Writes the first picture of each scene as soon as it is there.
 class Pictures {
  public:
@@ -79,6 +98,7 @@ class Pictures {
 
 Report make_report(const CommandOptions& command, const Given& given) {
   const std::vector<Configuration> configurations = resolve_configurations(given.experiment);
+  require_counting(configurations);
   ExperimentOptions options;
   options.threads = parse_threads(given.threads);
   if (!given.out.empty()) make_directory(given.out);
@@ -114,7 +134,8 @@ void run(const CommandOptions& command, const Study& study, const Given& given) 
   const TableRequest request = resolve_tables(given.tables, study.tables(), own_format(study));
   const bool from_file = !given.from.empty();
   Destination json(given.json);
-  const Report report = from_file ? read_report(given.from) : make_report(command, given);
+  const Report report =
+      from_file ? read_report_for(study, given.from) : make_report(command, given);
   const std::string text = document(study, request, report);
   make_all({[&] { json.write(report_text(report)); },
             [&] {

@@ -12,10 +12,10 @@
 namespace lanescope {
 
 inline MemoryAndSource::Sum& MemoryAndSource::slot_of(const Place& place) {
-  const std::uint64_t mixed =
-      (reinterpret_cast<std::uintptr_t>(place.file) ^
-       reinterpret_cast<std::uintptr_t>(place.info) << 7 ^ place.stage << 3 ^ place.line) *
-      0x9e3779b97f4a7c15u;
+  const std::uint64_t mixed = (reinterpret_cast<std::uintptr_t>(place.file) ^
+                               reinterpret_cast<std::uintptr_t>(place.info) << 7 ^
+                               place.stage << 3 ^ place.line ^ place.block.line() << 12) *
+                              0x9e3779b97f4a7c15u;
   for (std::size_t i = mixed >> 32;; ++i) {
     Sum& sum = slots_[i & (slots_.size() - 1)];
     if (sum.place == place || sum.place.info == nullptr) return sum;
@@ -48,7 +48,7 @@ MemoryRecord& MemoryAndSource::memory_of(Sum& sum) {
 
 void MemoryAndSource::issued(const IssueEvent& event) {
   Sum& sum = sum_at({&event.info, event.at.file_name(), event.at.line(),
-                     static_cast<std::uint32_t>(event.stage)});
+                     static_cast<std::uint32_t>(event.stage), event.block});
   sum.issued += 1;
   sum.active += event.charged();
   sum.overhead += event.overhead;
@@ -117,20 +117,25 @@ std::vector<MemoryRecord> MemoryAndSource::memory(std::size_t stage) const {
 
 std::vector<SourceLineRecord> MemoryAndSource::source_lines(
     std::span<const std::string_view> stages) const {
-  // By the file's name: two translation units may have it at two addresses.
-  std::map<std::tuple<std::string_view, std::uint32_t, std::size_t>, SourceLineRecord> by_line;
+  // By the files' names: two translation units may have them at two addresses.
+  using Key = std::tuple<std::string_view, std::uint32_t, std::size_t, std::string_view,
+                         std::uint_least32_t>;
+  std::map<Key, SourceLineRecord> by_line;
   for_each_sum([&](const Sum& sum) {
-    SourceLineRecord& line = by_line[{sum.place.file, sum.place.line, sum.place.stage}];
+    const Place& place = sum.place;
+    SourceLineRecord& line =
+        by_line[{place.file, place.line, place.stage, place.block.file_name(), place.block.line()}];
     line.issued += sum.issued;
     line.active += sum.active;
     line.overhead += sum.overhead;
   });
   std::vector<SourceLineRecord> records;
   for (auto& [place, line] : by_line) {
-    const auto& [file, number, stage] = place;
+    const auto& [file, number, stage, block_file, block_line] = place;
     line.file = file;
     line.line = number;
     line.stage = stages[stage];
+    if (block_line != 0) line.block = SourcePlace{std::string(block_file), block_line};
     records.push_back(std::move(line));
   }
   return records;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <source_location>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,8 +42,8 @@ class FewNumbers {
   std::vector<std::uint64_t> numbers_;
 };
 
-/// Sums of observed executions, by stage and instruction and by line of source. Observations merge
-/// by addition, so that pieces may be observed in any order on any thread.
+/// Sums of observed executions, by stage and instruction and by line of source and block.
+/// Observations merge by addition, so that pieces may be observed in any order on any thread.
 class MemoryAndSource final : public Observer {
  public:
   MemoryAndSource() = default;
@@ -54,17 +55,23 @@ class MemoryAndSource final : public Observer {
 
   /// The memory instructions of a stage, by mnemonic.
   std::vector<MemoryRecord> memory(std::size_t stage) const;
-  /// By file, line and stage. `stages` names the kernel's stages.
+  /// By file, line, stage and block. `stages` names the kernel's stages.
   std::vector<SourceLineRecord> source_lines(std::span<const std::string_view> stages) const;
 
  private:
-  /// An instruction at a line of source, in a stage.
+  /// An instruction at a line of source, in a block of a stage.
   struct Place {
     const InstructionInfo* info = nullptr;
     const char* file = nullptr;
     std::uint32_t line = 0;
     std::uint32_t stage = 0;
-    bool operator==(const Place&) const = default;
+    std::source_location block{};
+
+    bool operator==(const Place& other) const {
+      return info == other.info && file == other.file && line == other.line &&
+             stage == other.stage && block.line() == other.block.line() &&
+             block.file_name() == other.block.file_name();
+    }
   };
   /// A line of cache, as every instruction looks for one.
   struct alignas(64) Sum {

@@ -62,12 +62,14 @@ RunRecord run_record(const Configuration& configuration, const Kernel& kernel,
   run.workload = kernel.workload->name;
   run.element = {std::string(kernel.element.counter), std::string(kernel.element.name),
                  std::string(kernel.element.abbreviation)};
+  run.results_hash = result.results_hash;
+  const bool counts_nothing = result.counts.stages.empty() && !kernel.stages.empty();
+  if (counts_nothing) return run;
   run.stages = stage_records(kernel, result.counts, seen);
   run.counters = counter_records(kernel.counters, result.counters);
   run.metrics = metric_records(kernel);
   run.series = series_records(kernel, result);
   run.source_lines = seen.source_lines(kernel.stages);
-  run.results_hash = result.results_hash;
   return run;
 }
 

@@ -19,12 +19,13 @@ struct Place {
 
 std::string line(const Place& place, std::string_view quantity, const Figure& figure,
                  std::string_view words) {
+  const auto paper = figure.comparable ? figure.paper : std::nullopt;
   const auto difference =
-      figure.ours && figure.paper ? std::optional(*figure.ours - *figure.paper) : std::nullopt;
-  return csv_line({place.table.name, place.table.caption, place.group, place.row, place.column,
-                   std::string(quantity), words.empty() ? std::string(figure.unit->name) : "",
-                   number(figure.ours), number(figure.paper), number(difference),
-                   std::string(words)});
+      figure.ours && paper ? std::optional(*figure.ours - *paper) : std::nullopt;
+  return csv_line({place.table.name, place.table.caption, place.table.setting, place.group,
+                   place.row, place.column, std::string(quantity),
+                   words.empty() ? std::string(figure.unit->name) : "", number(figure.ours),
+                   number(paper), number(difference), std::string(words)});
 }
 
 std::string cell_lines(const Place& place, const Cell& cell) {
@@ -46,7 +47,8 @@ std::string table_lines(const TableData& data) {
 }
 
 std::string write(const std::vector<TableData>& tables) {
-  std::string text = "table,scenes,group,row,column,quantity,unit,ours,paper,difference,words\n";
+  std::string text =
+      "table,scenes,setting,group,row,column,quantity,unit,ours,paper,difference,words\n";
   for (const TableData& data : tables) text += table_lines(data);
   return text;
 }

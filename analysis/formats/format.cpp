@@ -14,17 +14,23 @@ bool any_cell(const TableData& data, std::size_t column, bool (*holds)(const Cel
   });
 }
 
-bool has_paper(const Cell& cell) { return cell.figure && cell.figure->paper; }
+bool has_paper(const Cell& cell) { return !shown_paper(cell).empty(); }
+bool is_compared(const Cell& cell) { return has_paper(cell) && cell.figure->comparable; }
 bool has_words(const Cell& cell) { return !cell.words.empty(); }
 
-WordGrid::Line line_of(const Row& row, const std::vector<bool>& compared) {
+/// What of a paper stands beside one column of a table.
+struct Beside {
+  bool paper;
+  bool difference;
+};
+
+WordGrid::Line line_of(const Row& row, const std::vector<Beside>& beside) {
   WordGrid::Line line{row.label, row.cells.empty(), {}};
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     const Cell& cell = row.cells[i];
     line.cells.push_back(shown(cell));
-    if (!compared[i]) continue;
-    line.cells.push_back(cell.figure ? shown_paper(*cell.figure) : "");
-    line.cells.push_back(cell.figure ? shown_difference(*cell.figure) : "");
+    if (beside[i].paper) line.cells.push_back(shown_paper(cell));
+    if (beside[i].difference) line.cells.push_back(shown_difference(cell));
   }
   return line;
 }
@@ -50,15 +56,14 @@ const Format& find_format(std::string_view name) {
 
 WordGrid word_grid(const TableData& data) {
   WordGrid grid;
-  std::vector<bool> compared;
+  std::vector<Beside> beside;
   for (std::size_t i = 0; i < data.columns.size(); ++i) {
-    compared.push_back(any_cell(data, i, has_paper));
+    beside.push_back({any_cell(data, i, has_paper), any_cell(data, i, is_compared)});
     grid.columns.push_back({data.columns[i], true, any_cell(data, i, has_words)});
-    if (!compared.back()) continue;
-    grid.columns.push_back({"paper", false});
-    grid.columns.push_back({"diff", false});
+    if (beside.back().paper) grid.columns.push_back({"paper", false});
+    if (beside.back().difference) grid.columns.push_back({"diff", false});
   }
-  for (const Row& row : data.rows) grid.lines.push_back(line_of(row, compared));
+  for (const Row& row : data.rows) grid.lines.push_back(line_of(row, beside));
   return grid;
 }
 

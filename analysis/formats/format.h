@@ -29,7 +29,8 @@ std::string write_each(const std::vector<TableData>& tables, std::string_view ga
                        std::string (*write_table)(const TableData& data));
 
 /// A table as rows of words, for formats that are grids of words: each column becomes one of ours
-/// and, where a paper has a number in it, one of the paper's and one of the difference.
+/// and, where a paper has a number in it, one of the paper's and, where the two are
+/// comparable, one of the difference.
 struct WordGrid {
   struct Column {
     std::string header;

@@ -37,7 +37,7 @@ std::string write_table(const TableData& data) {
     headers.push_back(column.header);
   }
   std::string text = fmt::format("% {}\n% Of: {}\n\\begin{{tabular}}{{{}}}\n\\hline\n", data.title,
-                                 data.caption, alignment);
+                                 shown_subject(data), alignment);
   text += line(data.row_header, headers) + "\\hline\n";
   for (const WordGrid::Line& row : grid.lines)
     text += row.heading ? fmt::format("\\multicolumn{{{}}}{{l}}{{\\textit{{{}}}}} \\\\\n",

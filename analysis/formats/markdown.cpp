@@ -25,7 +25,7 @@ std::string write_table(const TableData& data) {
     rule += column.words ? " --- |" : " ---: |";
   }
   std::string text = fmt::format("### {}\n\nOf: {}\n\n{}{}\n", markdown_text(data.title),
-                                 markdown_text(data.caption),
+                                 markdown_text(shown_subject(data)),
                                  line(markdown_text(data.row_header), headers, columns), rule);
   for (const WordGrid::Line& row : grid.lines) {
     const std::string label = markdown_text(row.label);

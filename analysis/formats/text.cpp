@@ -56,7 +56,7 @@ class TextTable {
     std::vector<std::string> headers;
     for (const WordGrid::Column& column : grid_.columns) headers.push_back(column.header);
     const std::string header = line(data_.row_header, headers);
-    std::string text = fmt::format("{}\nOf: {}\n\n{}", data_.title, data_.caption, header);
+    std::string text = fmt::format("{}\nOf: {}\n\n{}", data_.title, shown_subject(data_), header);
     text += std::string(header.size() - 1, '-') + '\n';
     for (const WordGrid::Line& row : grid_.lines)
       text += row.heading ? row.label + '\n' : line(row.label, row.cells);

@@ -42,7 +42,7 @@ std::string table_html(const TableData& data) {
   std::string text = fmt::format(
       "<div class=\"scroll\"><table>\n<caption>{} <span class=\"of\">Of: {}</span></caption>\n"
       "<thead>{}</thead>\n<tbody>\n",
-      html_escaped(data.title), html_escaped(data.caption), header_row(data, grid));
+      html_escaped(data.title), html_escaped(shown_subject(data)), header_row(data, grid));
   for (const WordGrid::Line& line : grid.lines) text += body_row(grid, line);
   text += "</tbody>\n</table></div>\n";
   for (const std::string& note : data.notes)

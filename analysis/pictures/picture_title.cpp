@@ -13,7 +13,7 @@ namespace lanescope {
 std::string picture_title(const Configuration& configuration) {
   const std::string facet = shown_facet({configuration.kernel, facet_of(configuration)});
   std::string title = configuration.scene + (facet.empty() ? "" : ", ") + facet;
-  for (const SpecialOption& option : special_options(configuration))
+  for (const NamedOption& option : special_options(configuration))
     if (option.of_source && option.parameter != facet_name(configuration.kernel))
       title += ", " + option.text();
   return title;
@@ -25,7 +25,7 @@ std::string picture_name(const Configuration& configuration) {
 
 std::string picture_command(const Configuration& configuration, const std::string& path) {
   std::string command = "lanescope render --scene " + configuration.scene;
-  for (const SpecialOption& option : special_options(configuration))
+  for (const NamedOption& option : special_options(configuration))
     if (option.of_source) command += fmt::format(" --{} {}", option.option, option.value);
   return command + " -o " + path;
 }

@@ -4,6 +4,17 @@
 #include <algorithm>
 
 namespace lanescope {
+namespace {
+
+std::optional<std::uint64_t> value_of(const std::vector<CounterRecord>& counters,
+                                      std::string_view name) {
+  const auto found =
+      std::find_if(counters.begin(), counters.end(), [&](const auto& c) { return c.name == name; });
+  if (found == counters.end()) return std::nullopt;
+  return found->value;
+}
+
+}  // namespace
 
 InstructionRecord& InstructionRecord::operator+=(const InstructionRecord& other) {
   issued += other.issued;
@@ -44,10 +55,11 @@ const StageRecord* RunRecord::stage(std::string_view name) const {
 }
 
 std::optional<std::uint64_t> RunRecord::counter(std::string_view name) const {
-  const auto found =
-      std::find_if(counters.begin(), counters.end(), [&](const auto& c) { return c.name == name; });
-  if (found == counters.end()) return std::nullopt;
-  return found->value;
+  return value_of(counters, name);
+}
+
+std::optional<std::uint64_t> OutputRecord::counter(std::string_view name) const {
+  return value_of(counters, name);
 }
 
 const SeriesRecord* RunRecord::find_series(std::string_view name) const {

@@ -4,6 +4,7 @@
 // analysis/report/figures.h.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -83,15 +84,26 @@ struct SeriesRecord {
   std::vector<std::uint64_t> values;
 };
 
-/// What was issued at one line of a kernel's source within one stage, over the pieces of work
-/// observed.
-struct SourceLineRecord {
+/// A line of a kernel's source.
+struct SourcePlace {
   std::string file;  ///< From the root of the sources: `kernels/<kind>/<name>.h`.
+  std::uint32_t line = 0;
+
+  auto operator<=>(const SourcePlace&) const = default;
+};
+
+/// What was issued at one line of a kernel's source within one stage and one block, over the pieces
+/// of work observed.
+struct SourceLineRecord {
+  std::string file;
   std::uint32_t line = 0;
   std::string stage;
   std::uint64_t issued = 0;
   std::uint64_t active = 0;    ///< Lanes charged.
   std::uint64_t overhead = 0;  ///< Those of `issued` that the kernel marks as overhead.
+  /// Where the block was opened: for whom a line that blocks share was issued. None if the report
+  /// does not say.
+  std::optional<SourcePlace> block{};
 };
 
 /// What the pieces of work came from.
@@ -107,6 +119,9 @@ struct SourceRecord {
 struct OutputRecord {
   std::uint64_t hash = 0;  ///< Equal for equal content.
   std::vector<CounterRecord> counters;
+
+  /// The value of that counter, if it is counted.
+  std::optional<std::uint64_t> counter(std::string_view name) const;
 };
 
 /// What instructions are divided by, as Element has it.
@@ -122,11 +137,13 @@ struct RunRecord {
   std::string workload;  ///< The kind of work.
   SourceRecord source;
   ElementRecord element;
-  std::vector<StageRecord> stages;  ///< Empty if the mode counts nothing.
+  // What the kernel counts; empty if the mode counts nothing.
+  std::vector<StageRecord> stages;
   std::vector<CounterRecord> counters;
   std::vector<MetricRecord> metrics;
   std::vector<SeriesRecord> series;
-  std::vector<SourceLineRecord> source_lines;  ///< By file, line and stage.
+  std::vector<SourceLineRecord> source_lines;  ///< By file, line, stage and block.
+
   std::uint64_t results_hash = 0;  ///< Equal for equal sets of results, whatever their order.
   OutputRecord output;
 

@@ -90,8 +90,10 @@ Json series_json(const SeriesRecord& series) {
 }
 
 Json source_line_json(const SourceLineRecord& line) {
-  return {{"file", line.file},     {"line", line.line},     {"stage", line.stage},
-          {"issued", line.issued}, {"active", line.active}, {"overhead", line.overhead}};
+  Json json = {{"file", line.file},     {"line", line.line},     {"stage", line.stage},
+               {"issued", line.issued}, {"active", line.active}, {"overhead", line.overhead}};
+  if (line.block) json["block"] = {{"file", line.block->file}, {"line", line.block->line}};
+  return json;
 }
 
 Json metric_json(const RunRecord& run, const MetricRecord& metric) {

@@ -148,12 +148,27 @@ class StageReader {
   const Charges& charges_;
 };
 
+std::uint32_t read_line_number(const JsonCursor& cursor) {
+  return static_cast<std::uint32_t>(cursor.member("line").integer(1));
+}
+
+/// Where a block was opened; reports of earlier programs do not say.
+std::optional<SourcePlace> read_block(const JsonCursor& line) {
+  if (!line.has_member("block")) return std::nullopt;
+  const JsonCursor block = line.member("block");
+  block.require_members({"file", "line"});
+  return SourcePlace{block.member("file").string(), read_line_number(block)};
+}
+
 SourceLineRecord read_source_line(const JsonCursor& cursor) {
-  cursor.require_members({"file", "line", "stage", "issued", "active", "overhead"});
-  return {
-      cursor.member("file").string(),  static_cast<std::uint32_t>(cursor.member("line").integer(1)),
-      cursor.member("stage").string(), cursor.member("issued").count(),
-      cursor.member("active").count(), cursor.member("overhead").count()};
+  cursor.allow_members({"file", "line", "stage", "issued", "active", "overhead", "block"});
+  return {cursor.member("file").string(),
+          read_line_number(cursor),
+          cursor.member("stage").string(),
+          cursor.member("issued").count(),
+          cursor.member("active").count(),
+          cursor.member("overhead").count(),
+          read_block(cursor)};
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ struct Study {
   const std::vector<const Table*>& (*tables)();
   /// Sections of the page, which take the places of general ones of the same id; the others follow.
   const std::vector<const Section*>& (*sections)();
-  /// Whether a report has runs that its sections are about.
+  /// Whether a report has runs, of which something was counted, that its tables and sections are
+  /// about.
   bool (*is_about)(const Report& report);
   /// All its figures as one document, with the paper's keys; null if there is none.
   nlohmann::ordered_json (*figures)(const ReportView& view);

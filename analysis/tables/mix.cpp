@@ -38,8 +38,9 @@ std::vector<Row> rows(const ReportView& view, const Series& series) {
 }
 
 TableData build(const ReportView& view) {
-  return table_over_widths(
-      view, "Instructions for each element, by class (share of the instructions)", "Class", rows);
+  return table_over_widths(view,
+                           "Instructions for each element, of all stages, by class (share of them)",
+                           "Class", rows);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ std::vector<Row> rows(const ReportView& view, const Series& series) {
     rows.push_back(figure_row(view, series, stage, kPercent, [&](int width) {
       return mean_stage_overhead(view, series, stage, width);
     }));
-  rows.push_back(figure_row(view, series, "Overall", kPercent,
+  rows.push_back(figure_row(view, series, "Overall, all stages", kPercent,
                             [&](int width) { return mean_overhead(view, series, width); }));
   return rows;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/configuration/special_options.h"
 #include "simulator/base/error.h"
 
 namespace lanescope {
@@ -61,6 +62,13 @@ std::string ReportView::caption() const {
   if (scenes_.size() == 1) return scenes_.front();
   if (scenes_.empty()) return "no scenes";
   return fmt::format("mean of {}", fmt::join(scenes_, ", "));
+}
+
+std::string ReportView::setting() const {
+  std::vector<const Configuration*> configurations;
+  for (const RunRecord& run : report_->runs)
+    if (has(scenes_, run.configuration.scene)) configurations.push_back(&run.configuration);
+  return shown_setting(configurations);
 }
 
 const RunRecord* ReportView::find(const Series& series, const std::string& scene, int width) const {

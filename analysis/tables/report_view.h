@@ -44,6 +44,9 @@ class ReportView {
   /// Names the scenes: `teapot`, or `mean of ballroll, talking`.
   std::string caption() const;
 
+  /// With what parameters these scenes were run, as shown_setting() has them.
+  std::string setting() const;
+
   /// The run, or null.
   const RunRecord* find(const Series& series, const std::string& scene, int width) const;
   /// Some run of the series, for what no scene or width changes; null if there is none.

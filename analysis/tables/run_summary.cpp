@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "analysis/configuration/special_options.h"
 #include "analysis/tables/series_rows.h"
 
 namespace lanescope {
@@ -29,16 +28,9 @@ std::vector<Report> by_series(const Report& report) {
   return all;
 }
 
-/// `frame = 4, resolution = 480x300`: what is not as it is by default, but for the facet.
-std::string caption_of(const Configuration& configuration) {
-  std::vector<std::string> texts;
-  for (const SpecialOption& option : special_options(configuration))
-    if (option.parameter != facet_name(configuration.kernel)) texts.push_back(option.text());
-  return texts.empty() ? "all parameters as they are by default"
-                       : fmt::format("{}", fmt::join(texts, ", "));
-}
-
-void add(TableData& data, std::vector<Row> rows) {
+/// Adds rows below a heading, unless there are none.
+void add(TableData& data, std::string heading, std::vector<Row> rows) {
+  if (!rows.empty()) data.rows.push_back({std::move(heading), {}});
   for (Row& row : rows) data.rows.push_back(std::move(row));
 }
 
@@ -49,16 +41,17 @@ TableData summary(const Report& report) {
   const std::string facet = shown_facet(series);
   TableData data;
   data.name = "run";
-  data.caption = caption_of(c);
+  data.setting = view.setting();
   data.title = fmt::format("{} on {}{}{}", c.kernel, c.scene, facet.empty() ? "" : ", ", facet);
-  data.row_header = "Utilization (share of the instructions)";
   for (const int width : widths_of(report)) data.columns.push_back(fmt::format("W = {}", width));
-  add(data, utilization_rows(view, series));
-  add(data, instruction_rows(view, series));
-  data.rows.push_back({"Metrics", {}});
-  add(data, metric_rows(view, series));
-  data.rows.push_back({"Counts", {}});
-  add(data, counter_rows(view, series));
+  add(data, "Utilization (share of the instructions of all stages)",
+      utilization_rows(view, series));
+  add(data, "Instructions for each element", instruction_rows(view, series));
+  add(data, "Metrics", metric_rows(view, series));
+  add(data, "Counts", counter_rows(view, series));
+  add(data, "Counts in the output", output_rows(view, series));
+  if (c.mode == Mode::kUncounted)
+    data.notes = {"Nothing was counted while the kernel ran (mode uncounted)."};
   return data;
 }
 

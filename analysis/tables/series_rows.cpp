@@ -9,6 +9,25 @@
 #include "analysis/tables/means.h"
 
 namespace lanescope {
+namespace {
+
+/// A row for each counter; `value(run, name)` is that of a run.
+template <class Value>
+std::vector<Row> rows_of_counters(const ReportView& view, const Series& series,
+                                  const std::vector<CounterRecord>& counters, const Value& value) {
+  std::vector<Row> rows;
+  for (const CounterRecord& counter : counters)
+    rows.push_back(figure_row(view, series, counter.name, kCount, [&](int width) {
+      return view.mean(series, width, [&](const RunRecord& run) -> std::optional<double> {
+        const auto count = value(run, std::string_view(counter.name));
+        if (!count) return std::nullopt;
+        return static_cast<double>(*count);
+      });
+    }));
+  return rows;
+}
+
+}  // namespace
 
 std::string shown_kernel(std::string_view kernel) {
   std::string letters(kernel);
@@ -62,14 +81,15 @@ std::vector<Row> utilization_rows(const ReportView& view, const Series& series) 
                   {}};
     }));
   if (rows.empty()) return rows;
-  rows.push_back(figure_row(view, series, "Overall", kPercent,
+  rows.push_back(figure_row(view, series, "Overall, all stages", kPercent,
                             [&](int width) { return mean_utilization(view, series, width); }));
   return rows;
 }
 
 std::vector<Row> instruction_rows(const ReportView& view, const Series& series) {
   if (stages_of(view, series).empty()) return {};
-  return {figure_row(view, series, "Instr./" + element_of(view, series), kInstructions,
+  return {figure_row(view, series, fmt::format("Instr./{}, all stages", element_of(view, series)),
+                     kInstructions,
                      [&](int width) { return mean_instructions(view, series, width); })};
 }
 
@@ -85,18 +105,17 @@ std::vector<Row> metric_rows(const ReportView& view, const Series& series) {
 }
 
 std::vector<Row> counter_rows(const ReportView& view, const Series& series) {
-  std::vector<Row> rows;
   const RunRecord* const any = view.find_any(series);
-  if (!any) return rows;
-  for (const CounterRecord& counter : any->counters)
-    rows.push_back(figure_row(view, series, counter.name, kCount, [&](int width) {
-      return view.mean(series, width, [&](const RunRecord& run) -> std::optional<double> {
-        const auto value = run.counter(counter.name);
-        if (!value) return std::nullopt;
-        return static_cast<double>(*value);
-      });
-    }));
-  return rows;
+  if (!any) return {};
+  return rows_of_counters(view, series, any->counters,
+                          [](const RunRecord& run, auto name) { return run.counter(name); });
+}
+
+std::vector<Row> output_rows(const ReportView& view, const Series& series) {
+  const RunRecord* const any = view.find_any(series);
+  if (!any) return {};
+  return rows_of_counters(view, series, any->output.counters,
+                          [](const RunRecord& run, auto name) { return run.output.counter(name); });
 }
 
 TableData table_over_widths(

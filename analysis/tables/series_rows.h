@@ -37,6 +37,8 @@ std::vector<Row> utilization_rows(const ReportView& view, const Series& series);
 std::vector<Row> instruction_rows(const ReportView& view, const Series& series);
 std::vector<Row> metric_rows(const ReportView& view, const Series& series);
 std::vector<Row> counter_rows(const ReportView& view, const Series& series);
+/// What was counted in the output.
+std::vector<Row> output_rows(const ReportView& view, const Series& series);
 
 /// A table with a column for each width and, for each series that has any, a heading and its rows.
 TableData table_over_widths(

@@ -15,6 +15,7 @@ namespace lanescope {
 /// How a number stands against a paper's.
 enum class Difference {
   kAbsolute,  ///< Ours minus theirs.
+  kPoints,    ///< The same, of fractions, in hundredths.
   kRelative,  ///< In percent of theirs.
   kBound,     ///< Theirs is an upper bound, so there is none.
 };
@@ -31,7 +32,7 @@ struct Unit {
 
 inline constexpr Unit kPercent{"fraction", 100.0, "%", 1, 0, Difference::kAbsolute};
 inline constexpr Unit kSmallPercent{"fraction", 100.0, "%", 3, 0, Difference::kBound};
-inline constexpr Unit kShare{"fraction", 1.0, "", 2, 2, Difference::kAbsolute};
+inline constexpr Unit kShare{"fraction", 1.0, "", 2, 2, Difference::kPoints};
 inline constexpr Unit kInstructions{"instructions/element", 1.0, "", 2, 2, Difference::kRelative};
 inline constexpr Unit kLines{"lines/execution", 1.0, "", 2, 2, Difference::kRelative};
 inline constexpr Unit kCount{"count", 1.0, "", 0, 0, Difference::kAbsolute};
@@ -45,7 +46,13 @@ struct Figure {
   std::optional<double> ours;
   std::optional<double> paper;
   const Unit* unit = &kCount;
+  /// Whether both are of the same thing. If not, the paper's is not shown, and there is no
+  /// difference.
+  bool comparable = true;
 };
+
+/// What stands in place of a paper's number, or of a verdict, that ours is not comparable with.
+inline constexpr std::string_view kNotComparable = "not comparable";
 
 /// A place in a table: a figure, with a share in parentheses perhaps; or words; or nothing.
 struct Cell {
@@ -63,6 +70,7 @@ struct Row {
 struct TableData {
   std::string name;     ///< Of the table's descriptor.
   std::string caption;  ///< What the figures are of: the scenes, as ReportView::caption has them.
+  std::string setting;  ///< With what parameters, as ReportView::setting has them.
   std::string title;
   std::string row_header;
   std::vector<std::string> columns;
@@ -75,8 +83,8 @@ struct TableData {
 struct Table {
   std::string_view name;
   std::string_view summary;
-  /// Leaves `name` to build_table, and `caption` too unless it is not that of the view. Without
-  /// rows if the report has no such figures.
+  /// Leaves `name` and `setting` to build_table, and `caption` too unless it is not that of the
+  /// view. Without rows if the report has no such figures.
   TableData (*build)(const ReportView& view);
 };
 
@@ -85,20 +93,29 @@ const std::vector<const Table*>& tables();
 
 TableData build_table(const Table& table, const ReportView& view);
 
-/// Those that have rows.
+/// Those that have a figure of ours, or words.
 std::vector<TableData> build_tables(const std::vector<const Table*>& tables,
                                     const ReportView& view);
+
+/// What the figures of a table are of: its caption and its setting.
+std::string shown_subject(const TableData& data);
 
 /// The shown form of a figure's own number: `83.4%`, or `n/a`.
 std::string shown(const Figure& figure);
 /// The shown form of a whole cell, without the paper's number: `83.4% (0.68)`.
 std::string shown(const Cell& cell);
-/// The paper's number as the paper prints it, or empty; `<1%` for a bound.
+/// The paper's number as the paper prints it, or empty; `<1%` for a bound; kNotComparable.
 std::string shown_paper(const Figure& figure);
-/// The difference with its sign, in the last digit that the paper prints, or in percent; empty
-/// where either number is missing.
+/// The same of a whole cell: `83% (0.68)`.
+std::string shown_paper(const Cell& cell);
+/// The difference with its sign, to the last digit that the paper prints, in points, or in percent;
+/// empty where there is none.
 std::string shown_difference(const Figure& figure);
-/// Ours minus the paper's, both scaled, and rounded as the paper rounds.
+/// The same of a whole cell: `+1 (-2)`.
+std::string shown_difference(const Cell& cell);
+/// Whether there are two numbers that can be compared, of which the paper's is no bound.
+bool has_difference(const Figure& figure);
+/// Ours minus the paper's, both scaled, and rounded as the paper rounds; none without difference.
 std::optional<double> rounded_difference(const Figure& figure);
 
 }  // namespace lanescope

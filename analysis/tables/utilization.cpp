@@ -7,7 +7,7 @@ namespace {
 TableData build(const ReportView& view) {
   TableData data = table_over_widths(view, "Utilization of each stage (share of the instructions)",
                                      "Stage", utilization_rows);
-  data.notes = {"Utilization is active lanes / (instructions x W)."};
+  data.notes = {"Utilization is active lanes / (instructions x W). Shares are of all stages."};
   return data;
 }
 

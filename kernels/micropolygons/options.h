@@ -51,7 +51,7 @@ inline const Parameters<KernelOptions>& raster_parameters() {
   using K = KernelOptions;
   static const Parameters<K> all{
       {&K::cull_backfaces,
-       {"cull_backfaces", "--cull", kNoUnit, "Drop micropolygons that face away"}},
+       {"cull_backfaces", "--cull", kNoUnit, "Drop micropolygons that face away", Stated::kAlways}},
       {&K::edges,
        {"edges", "--edges", kNoUnit, "Edge equations in Test (inline) or in Bound (precomputed)"},
        kEdges},

@@ -38,6 +38,9 @@ using Value = std::variant<std::monostate, bool, std::uint64_t, float, std::stri
 
 inline constexpr std::string_view kNoUnit = "";
 
+/// Whether tables state a parameter that is as by default.
+enum class Stated { kIfSpecial, kAlways };
+
 /// What a parameter is called, and what it is for.
 struct ParameterWords {
   std::string_view name;    ///< In reports and sweeps, snake_case.
@@ -45,6 +48,8 @@ struct ParameterWords {
                             ///< given together, with an `x` between them.
   std::string_view unit;    ///< Or kNoUnit.
   std::string_view help;    ///< A sentence without its full stop.
+  /// Always, if figures that differ in it are not of the same thing.
+  Stated stated = Stated::kIfSpecial;
 };
 
 /// A parameter as everyone but its owner sees it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/annotation/annotation.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "analysis/annotation/sources.h"
@@ -34,7 +35,7 @@ Report two_scenes() {
   return report;
 }
 
-TEST(Annotate, SumsScenesAndStagesOfALineHottestFirst) {
+TEST(Annotate, SumsScenesOfALineInAStageHottestFirst) {
   const auto annotations = annotate(two_scenes());
   ASSERT_EQ(annotations.size(), 2u);
   const Annotation& a = annotations.front();
@@ -43,15 +44,40 @@ TEST(Annotate, SumsScenesAndStagesOfALineHottestFirst) {
   EXPECT_EQ(a.scenes, (std::vector<std::string>{"one", "other"}));
   EXPECT_EQ(a.pieces, 64u);
   EXPECT_EQ(a.issued, 100u);
-  ASSERT_EQ(a.lines.size(), 2u);
-  EXPECT_EQ(a.lines[0].line, 60u);
-  EXPECT_EQ(a.lines[0].stages, "Setup, Bound");
-  EXPECT_EQ(a.lines[0].issued, 70u);
-  EXPECT_EQ(a.lines[0].overhead, 5u);
-  EXPECT_DOUBLE_EQ(*a.share(a.lines[0]).value(), 0.70);
-  EXPECT_DOUBLE_EQ(*a.utilization(a.lines[0]).value(), 520.0 / (70 * 8));
+  ASSERT_EQ(a.lines.size(), 3u);
+  EXPECT_EQ(a.lines[0].place, (SourcePlace{"kernels/micropolygons/stages.h", 60}));
+  EXPECT_EQ(a.lines[0].stage, "Setup");
+  EXPECT_EQ(a.lines[0].issued, 60u);
+  EXPECT_DOUBLE_EQ(*a.share(a.lines[0]).value(), 0.60);
+  EXPECT_DOUBLE_EQ(*a.utilization(a.lines[0]).value(), 1.0);
   EXPECT_DOUBLE_EQ(*a.utilization(a.lines[1]).value(), 60.0 / (30 * 8));
+  EXPECT_EQ(a.lines[2].place, a.lines[0].place);
+  EXPECT_EQ(a.lines[2].stage, "Bound");
+  EXPECT_EQ(a.lines[2].overhead, 5u);
   EXPECT_EQ(annotations[1].width, 16);
+}
+
+/// A line of a helper is one for each block that called it; reports of earlier programs do not say.
+TEST(Annotate, KeepsBlocksApart) {
+  const std::string file = "kernels/micropolygons/stages.h";
+  const SourcePlace testing{"kernels/micropolygons/repack.h", 10};
+  const SourcePlace ruling{"kernels/micropolygons/repack.h", 20};
+  Report report;
+  report.runs = {
+      run_of("one", 8,
+             {{file, 60, "Test", 10, 80, 0, testing}, {file, 60, "Test", 2, 4, 0, ruling}}),
+      run_of("other", 8, {{file, 60, "Test", 5, 40, 0, testing}, {file, 60, "Test", 1, 1, 0, {}}})};
+  const Annotation a = annotate(report).front();
+  ASSERT_EQ(a.lines.size(), 3u);
+  EXPECT_EQ(a.lines[0].block, testing);
+  EXPECT_EQ(a.lines[0].issued, 15u);
+  EXPECT_EQ(a.lines[1].block, ruling);
+  EXPECT_EQ(a.lines[2].block, std::nullopt);
+  const TableData table = hottest_lines(a, 3);
+  EXPECT_EQ(table.rows[0].cells.back().words,
+            fmt::format("repack.h:10: {}", source_line(testing.file, testing.line)));
+  EXPECT_EQ(table.rows[2].cells.back().words, "");
+  EXPECT_NE(annotated_source(a).find(" 100.0%   86.8%           18   60 | "), std::string::npos);
 }
 
 TEST(Annotate, KeepsFacetsApart) {
@@ -70,9 +96,12 @@ TEST(Annotate, ShowsTheTextOfTheLine) {
   EXPECT_EQ(table.rows[0].label, "kernels/micropolygons/stages.h:60");
   const std::string source(source_line("kernels/micropolygons/stages.h", 60));
   EXPECT_NE(source, "");
-  EXPECT_NE(source.find(table.rows[0].cells.back().words), source.npos);
-  EXPECT_EQ(hottest_lines(a, 10).rows.size(), 2u);
+  const std::string& shown_source = table.rows[0].cells[4].words;
+  EXPECT_NE(shown_source, "");
+  EXPECT_NE(source.find(shown_source), source.npos);
+  EXPECT_EQ(hottest_lines(a, 10).rows.size(), 3u);
   EXPECT_EQ(table.caption, "4 of 64 pieces of work");
+  EXPECT_EQ(table.setting, "resolution = 1728x1080, msaa = 4, frame = 26, cull = on");
 }
 
 TEST(Annotate, PutsTheFiguresInTheMarginOfTheSource) {

@@ -81,12 +81,18 @@ TEST(Experiment, HandsOutEveryOutputAndCompletesItsProgress) {
   EXPECT_DOUBLE_EQ(last, 1.0);
 }
 
-TEST(Experiment, UncountedRunsHaveNoStages) {
+/// A count of 0 would be one.
+TEST(Experiment, UncountedRunsHaveNoCounts) {
   Configuration c = small("lockstep", 8, "triangle");
   const Report counted = run_experiment({c}, {});
   c.mode = Mode::kUncounted;
   const Report uncounted = run_experiment({c}, {});
   EXPECT_TRUE(uncounted.runs[0].stages.empty());
+  EXPECT_TRUE(uncounted.runs[0].counters.empty());
+  EXPECT_TRUE(uncounted.runs[0].metrics.empty());
+  EXPECT_TRUE(uncounted.runs[0].series.empty());
+  EXPECT_EQ(uncounted.runs[0].output.counter("samples_covered"),
+            counted.runs[0].output.counter("samples_covered"));
   EXPECT_EQ(uncounted.runs[0].results_hash, counted.runs[0].results_hash);
   EXPECT_EQ(uncounted.runs[0].output.hash, counted.runs[0].output.hash);
 }

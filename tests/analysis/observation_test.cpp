@@ -138,6 +138,31 @@ TEST_F(Observing, AddsUpByLineOfSource) {
   EXPECT_EQ(lines[1].overhead, 3u);
 }
 
+/// What a helper issues, for whoever calls it.
+template <class On>
+auto helped(On& on, const Ints& v) {
+  return isa::add(on, v, 1);
+}
+
+TEST_F(Observing, TellsTheBlocksOfALineApart) {
+  auto site = vm.site(0);
+  constexpr std::uint32_t kLine = __LINE__ + 1;
+  auto one = site.on(vm.first_n(3));
+  auto other = site.on(vm.first_n(5));
+  for (int n = 0; n < 2; ++n) helped(one, ints({1, 2, 3}));
+  auto extra = other.overhead();
+  helped(extra, ints({1, 2, 3}));
+  const auto lines = seen.source_lines(kStages);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].line, lines[1].line);
+  EXPECT_EQ(lines[0].block, (SourcePlace{"tests/analysis/observation_test.cpp", kLine}));
+  EXPECT_EQ(lines[0].issued, 2u);
+  EXPECT_EQ(lines[0].active, 6u);
+  EXPECT_EQ(lines[1].block, (SourcePlace{"tests/analysis/observation_test.cpp", kLine + 1}));
+  EXPECT_EQ(lines[1].active, 5u);
+  EXPECT_EQ(lines[1].overhead, 1u);
+}
+
 TEST_F(Observing, AddsToOthers) {
   auto site = vm.site(0);
   isa::gather(site.on(Mask<8>::all()), buffer.memory(), ints({0, 16, 32, 0, 0, 0, 0, 0}));
@@ -197,6 +222,9 @@ TEST_P(WholeRun, SourceLinesAddUpToTheCounts) {
       sum.active += line.active;
       sum.overhead += line.overhead;
       EXPECT_FALSE(source_line(line.file, line.line).empty()) << line.file << ":" << line.line;
+      ASSERT_TRUE(line.block) << line.file << ":" << line.line;
+      const std::string_view opening = source_line(line.block->file, line.block->line);
+      EXPECT_NE(opening.find(".on("), opening.npos) << line.block->file << ":" << line.block->line;
     }
     EXPECT_EQ(sum.issued, stage.total().issued) << stage.name;
     EXPECT_EQ(sum.active, stage.total().active) << stage.name;

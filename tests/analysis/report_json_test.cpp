@@ -118,6 +118,16 @@ TEST(ReportJson, AKernelWithoutCountersNeedsNone) {
   EXPECT_EQ(report_text(parse_report(report_text(report), "r")), report_text(report));
 }
 
+/// Earlier programs did not say in which block a line was issued.
+TEST(ReportJson, ALineOfSourceMayLackItsBlock) {
+  Report report = testing::sample_report();
+  report.runs[0].source_lines[0].block.reset();
+  const Report read = parse_report(report_text(report), "r");
+  EXPECT_FALSE(read.runs[0].source_lines[0].block);
+  EXPECT_EQ(read.runs[0].source_lines[1].block, (SourcePlace{"kernels/sample.h", 5}));
+  EXPECT_EQ(report_text(read), report_text(report));
+}
+
 /// Makes the scatter of the first run one of that charge, which Process issues once.
 MemoryRecord& charge_scatter(Report& report, Charge charge, std::uint64_t lanes) {
   report.instructions[1].charge = to_string(charge);

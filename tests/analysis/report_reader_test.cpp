@@ -263,6 +263,8 @@ const std::vector<BadReport> kBadReports{
     {"LineBeyondAllFiles",
      [](Json& j) { j["runs"][0]["source_lines"][0]["line"] = std::uint64_t{1} << 31; },
      "r.json:/runs/0/source_lines/0/line: 2147483648 is not an integer of at least 1"},
+    {"BlockFromZero", [](Json& j) { j["runs"][0]["source_lines"][0]["block"]["line"] = 0; },
+     "r.json:/runs/0/source_lines/0/block/line: 0 is not an integer of at least 1"},
     {"LineFromZero", [](Json& j) { j["runs"][0]["source_lines"][0]["line"] = 0; },
      "r.json:/runs/0/source_lines/0/line: 0 is not an integer of at least 1"},
     {"SeriesOfText", [](Json& j) { j["runs"][0]["series"][0]["values"][1] = "3"; },

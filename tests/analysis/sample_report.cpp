@@ -40,9 +40,9 @@ void add_observation(RunRecord& run) {
   run.source.pieces = 3;
   run.source.pieces_observed = 1;
   for (const StageRecord& stage : run.stages)
-    run.source_lines.push_back({"kernels/sample.h",
-                                static_cast<std::uint32_t>(10 + run.source_lines.size()),
-                                stage.name, 1, 1, stage.total().overhead_issued > 0 ? 1u : 0u});
+    run.source_lines.push_back(
+        {"kernels/sample.h", static_cast<std::uint32_t>(10 + run.source_lines.size()), stage.name,
+         1, 1, stage.total().overhead_issued > 0 ? 1u : 0u, SourcePlace{"kernels/sample.h", 5}});
   run.series = {{"box_candidates", "candidates of each box", "candidates", "boxes", {0, 3, 1}}};
 }
 

@@ -53,12 +53,13 @@ bool has_row(const TableData& data, const std::string& label) {
 TEST(Tables, UtilizationIsTheMeanOfTheScenesRatios) {
   const TableData data = table("utilization");
   EXPECT_EQ(data.caption, "mean of ballroll, columnpivot");
+  EXPECT_EQ(data.setting, "resolution = 1728x1080, msaa = 4, frame = 0, cull = on");
   ASSERT_EQ(data.columns, std::vector<std::string>{"W = 8"});
-  EXPECT_EQ(cell(data, kLockstep, "Setup"), "75.0% (0.02)");    // (16/16 + 12/24) / 2
-  EXPECT_EQ(cell(data, kLockstep, "Bound"), "85.0% (0.15)");    // (10/102 + 20/103) / 2
-  EXPECT_EQ(cell(data, kLockstep, "Test"), "62.5% (0.59)");     // (60/102 + 60/103) / 2
-  EXPECT_EQ(cell(data, kLockstep, "Process"), "37.5% (0.24)");  // (30/102 + 20/103) / 2
-  EXPECT_EQ(cell(data, kLockstep, "Overall"), "59.0%");         // (508/816 + 460/824) / 2
+  EXPECT_EQ(cell(data, kLockstep, "Setup"), "75.0% (0.02)");         // (16/16 + 12/24) / 2
+  EXPECT_EQ(cell(data, kLockstep, "Bound"), "85.0% (0.15)");         // (10/102 + 20/103) / 2
+  EXPECT_EQ(cell(data, kLockstep, "Test"), "62.5% (0.59)");          // (60/102 + 60/103) / 2
+  EXPECT_EQ(cell(data, kLockstep, "Process"), "37.5% (0.24)");       // (30/102 + 20/103) / 2
+  EXPECT_EQ(cell(data, kLockstep, "Overall, all stages"), "59.0%");  // (508/816 + 460/824) / 2
   EXPECT_EQ(cell(data, kRepack, "Test Stream-load"), "20.0% (0.16)");
 }
 
@@ -74,7 +75,7 @@ TEST(Tables, ShowEachKernelOnEachFacet) {
 TEST(Tables, InstructionsAreOfEachElement) {
   const TableData data = table("instructions");
   EXPECT_EQ(cell(data, kLockstep, "Test"), "4.50");                        // (60/20 + 60/10) / 2
-  EXPECT_EQ(cell(data, kLockstep, "Instr./mp"), "7.70");                   // (102/20 + 103/10) / 2
+  EXPECT_EQ(cell(data, kLockstep, "Instr./mp, all stages"), "7.70");       // (102/20 + 103/10) / 2
   EXPECT_EQ(cell(data, "LOCKSTEP, micropolygon = quad", "Test"), "7.20");  // (48/10 + 48/5) / 2
 }
 
@@ -83,7 +84,7 @@ TEST(Tables, OverheadIsOfTheStagesOwnInstructions) {
   EXPECT_EQ(cell(data, kRepack, "Bound"), "15.0%");  // (2/10 + 2/20) / 2
   EXPECT_EQ(cell(data, kRepack, "Test Stream-load"), "100.0%");
   EXPECT_EQ(cell(data, kRepack, "Test"), "25.0%");
-  EXPECT_EQ(cell(data, kRepack, "Overall"), "34.6%");  // (41/102 + 24/83) / 2
+  EXPECT_EQ(cell(data, kRepack, "Overall, all stages"), "34.6%");  // (41/102 + 24/83) / 2
   EXPECT_FALSE(has_row(data, kLockstep));
 }
 
@@ -159,8 +160,8 @@ TEST(Tables, EachKindOfWorkHasItsOwnScenes) {
   const TableData data =
       table("instructions",
             ReportView(both, std::vector<std::string>{"ballroll", "columnpivot", "elsewhere"}));
-  EXPECT_EQ(cell(data, kLockstep, "Instr./mp"), "7.70");
-  EXPECT_EQ(cell(data, "UNHEARD-OF", "Instr./o"), "5.10");  // 102/20
+  EXPECT_EQ(cell(data, kLockstep, "Instr./mp, all stages"), "7.70");
+  EXPECT_EQ(cell(data, "UNHEARD-OF", "Instr./o, all stages"), "5.10");  // 102/20
 }
 
 TEST(RunSummary, IsATableForEachKernelSceneAndFacet) {
@@ -170,27 +171,52 @@ TEST(RunSummary, IsATableForEachKernelSceneAndFacet) {
   ASSERT_EQ(tables.size(), 2u);
   EXPECT_EQ(find_format("text").write({tables.front()}),
             "lockstep on ballroll, micropolygon = triangle\n"
-            "Of: frame = 0\n"
+            "Of: resolution = 1728x1080, msaa = 4, frame = 0, cull = on\n"
             "\n"
-            "Utilization (share of the instructions)          W = 8\n"
-            "------------------------------------------------------\n"
-            "Setup                                    100.0% (0.02)\n"
-            "Bound                                     90.0% (0.10)\n"
-            "Test                                      75.0% (0.59)\n"
-            "Process                                   25.0% (0.29)\n"
-            "Overall                                          62.3%\n"
-            "Instr./mp                                         5.10\n"
+            "                                  W = 8\n"
+            "---------------------------------------\n"
+            "Utilization (share of the instructions of all stages)\n"
+            "Setup                     100.0% (0.02)\n"
+            "Bound                      90.0% (0.10)\n"
+            "Test                       75.0% (0.59)\n"
+            "Process                    25.0% (0.29)\n"
+            "Overall, all stages               62.3%\n"
+            "Instructions for each element\n"
+            "Instr./mp, all stages              5.10\n"
             "Metrics\n"
-            "ste                                             0.2000\n"
+            "ste                              0.2000\n"
             "Counts\n"
-            "micropolygons_seen                                  40\n"
-            "micropolygons_culled                                20\n"
-            "micropolygons_rasterized                            20\n"
-            "tests                                              200\n"
-            "hits                                                40\n"
-            "process_issued                                      50\n"
-            "conflict_invocations                                 2\n"
-            "conflict_hits                                        1\n");
+            "micropolygons_seen                   40\n"
+            "micropolygons_culled                 20\n"
+            "micropolygons_rasterized             20\n"
+            "tests                               200\n"
+            "hits                                 40\n"
+            "process_issued                       50\n"
+            "conflict_invocations                  2\n"
+            "conflict_hits                         1\n"
+            "Counts in the output\n"
+            "samples_covered                      10\n");
+}
+
+/// What was not counted is not shown as 0.
+TEST(RunSummary, OfAnUncountedRunIsOfItsOutputAlone) {
+  Report one = testing::sample_report();
+  one.runs.resize(1);
+  RunRecord& run = one.runs.front();
+  run.configuration.mode = Mode::kUncounted;
+  run.stages.clear();
+  run.counters.clear();
+  run.metrics.clear();
+  EXPECT_EQ(find_format("text").write(run_summaries(one)),
+            "lockstep on ballroll, micropolygon = triangle\n"
+            "Of: resolution = 1728x1080, msaa = 4, frame = 0, cull = on\n"
+            "\n"
+            "                 W = 8\n"
+            "----------------------\n"
+            "Counts in the output\n"
+            "samples_covered     10\n"
+            "\n"
+            "Nothing was counted while the kernel ran (mode uncounted).\n");
 }
 
 TEST(RunSummary, SaysWhatIsNotAsByDefault) {
@@ -199,8 +225,8 @@ TEST(RunSummary, SaysWhatIsNotAsByDefault) {
   RunRecord& run = one.runs.front();
   set_value(run.configuration, "width_px", std::uint64_t{480});
   set_value(run.configuration, "edges", std::string("precomputed"));
-  EXPECT_EQ(run_summaries(one).front().caption,
-            "resolution = 480x1080, frame = 0, edges = precomputed");
+  EXPECT_EQ(run_summaries(one).front().setting,
+            "resolution = 480x1080, msaa = 4, frame = 0, cull = on, edges = precomputed");
   one.runs.push_back(run);
   set_value(one.runs.back().configuration, "width_lanes", std::uint64_t{16});
   EXPECT_EQ(run_summaries(one).size(), 1u);
@@ -247,6 +273,23 @@ TEST(ReportView, AveragesAllScenesUnlessAsked) {
   EXPECT_EQ(ReportView(report()).caption(), "mean of ballroll, columnpivot, teapot");
   EXPECT_EQ(scenes_of(report(), {"teapot", "talking"}), std::vector<std::string>{"teapot"});
   EXPECT_EQ(scenes_of(report(), {"talking"}), scenes_of(report()));
+}
+
+TEST(ReportView, StatesTheSettingOfItsScenes) {
+  Report two = report();
+  EXPECT_EQ(ReportView(two).setting(), "resolution = 1728x1080, msaa = 4, frame = 0, cull = on");
+  for (RunRecord& run : two.runs)
+    if (run.configuration.scene == "ballroll") {
+      set_value(run.configuration, "frame", std::uint64_t{3});
+      set_value(run.configuration, "seed", std::uint64_t{7});
+    }
+  // Each scene has its own frame; what is special in some has its other values, too.
+  EXPECT_EQ(ReportView(two).setting(),
+            "resolution = 1728x1080, msaa = 4, cull = on, seed = 7 and 1");
+  EXPECT_EQ(ReportView(two, "teapot").setting(),
+            "resolution = 1728x1080, msaa = 4, frame = 0, cull = on");
+  EXPECT_EQ(ReportView(two, "ballroll").setting(),
+            "resolution = 1728x1080, msaa = 4, frame = 3, cull = on, seed = 7");
 }
 
 TEST(ReportView, ListsSeriesInTheOrderOfKernelsAndChoices) {

@@ -129,6 +129,8 @@ const std::vector<BadLine> kBadLines{
     {"run --mode trace", "--mode: 'trace' is not counting, checked or uncounted"},
     {"run --mode chekked",
      "--mode: 'chekked' is not counting, checked or uncounted; did you mean 'checked'?"},
+    {"study luong --mode uncounted",
+     "--mode: uncounted runs have no figures for tables; leave it out, or use `lanescope run`"},
     // Scenes.
     {"run --scene teapto", "--scene: 'teapto' is not a scene of micropolygons; use " + kScenes +
                                ", or name a mesh file (.obj); did you mean 'teapot'?"},

@@ -216,8 +216,8 @@ TEST_F(EndToEnd, ShowPrintsTheTablesOfAnyRun) {
   for (const char* words : {"samples_per_pixel = 1", "samples_per_pixel = 4"})
     EXPECT_NE(settings.find(words), std::string::npos) << words << "\n" << settings;
   run("run --scene teapot --width 8 --mode uncounted --json u.json" + kSmall);
-  EXPECT_EQ(run("show u.json --table utilization", 2).errors,
-            "lanescope: u.json: has no figures for these tables\n");
+  for (const char* command : {"show u.json --table utilization", "study luong --from u.json"})
+    EXPECT_EQ(run(command, 2).errors, "lanescope: u.json: has no figures for these tables\n");
 }
 
 TEST_F(EndToEnd, AnnotateSelectsRunsByAnyParameter) {

@@ -127,11 +127,12 @@ void for_each_object(const Json& json, const std::string& pointer, F&& f) {
   for (const auto& [key, value] : json.items()) for_each_object(value, pointer + "/" + key, f);
 }
 
+/// All members are required, but for those that reports of the version came to have later.
 void expect_strict(const Json& object, const std::string& where) {
   EXPECT_EQ(object["additionalProperties"], false) << where;
   std::vector<std::string> names;
   for (const auto& [name, property] : object["properties"].items()) {
-    names.push_back(name);
+    if (where != "/$defs/source_line" || name != "block") names.push_back(name);
     EXPECT_TRUE(property.contains("description") || property.contains("const"))
         << where << "/" << name;
   }

@@ -13,9 +13,9 @@ namespace {
 std::vector<Row> rows(const ReportView& view, const Series& series) {
   std::vector<Row> rows = instruction_rows(view, series);
   if (!rows.empty())
-    rows.insert(rows.begin(), figure_row(view, series, "Utilization", kPercent, [&](int width) {
-                  return mean_utilization(view, series, width);
-                }));
+    rows.insert(rows.begin(),
+                figure_row(view, series, "Utilization, all stages", kPercent,
+                           [&](int width) { return mean_utilization(view, series, width); }));
   return rows;
 }
 
@@ -24,6 +24,7 @@ TableData headline(const ReportView& view) {
       view, "Utilization of all stages together, and instructions for each element", "Kernel",
       rows);
   data.caption = view.caption();
+  data.setting = view.setting();
   data.notes = {
       "Utilization is active lanes / (instructions x W). Instructions are vector instructions."};
   return data;

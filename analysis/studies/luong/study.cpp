@@ -17,8 +17,8 @@ constexpr std::string_view kScenes[] = {"ballroll", "columnpivot", "tigerjump", 
 
 bool is_about(const Report& report) {
   return std::any_of(report.runs.begin(), report.runs.end(), [](const RunRecord& run) {
-    return std::find(std::begin(kKernels), std::end(kKernels), run.configuration.kernel) !=
-           std::end(kKernels);
+    return !run.stages.empty() && std::find(std::begin(kKernels), std::end(kKernels),
+                                            run.configuration.kernel) != std::end(kKernels);
   });
 }
 

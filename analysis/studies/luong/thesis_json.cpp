@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-#include "analysis/base/json_text.h"
-#include "analysis/configuration/configuration_json.h"
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
 #include "analysis/studies/luong/tables/utilization.h"
 #include "analysis/studies/luong/thesis.h"
@@ -19,29 +18,16 @@ using Json = nlohmann::ordered_json;
 
 Json or_null(std::optional<double> value) { return value ? Json(*value) : Json(nullptr); }
 
+Configuration first_configuration(const ReportView& view) {
+  const auto& runs = view.report().runs;
+  return runs.empty() ? Configuration{} : runs.front().configuration;
+}
+
 template <class WidthFigure>
 Json over_widths(const WidthFigure& figure) {
   Json list = Json::array();
   for (const int width : kThesisWidths) list.push_back(or_null(figure(width)));
   return list;
-}
-
-Json setup_json(const ReportView& view) {
-  const auto& runs = view.report().runs;
-  const Configuration c = runs.empty() ? Configuration{} : runs.front().configuration;
-  const auto parameter = [&](std::string_view name) { return value_json(value_of(c, name)); };
-  const Value area = value_of(c, "dice_area_px");
-  const float* const quad_area = std::get_if<float>(&area);
-  return {{"widths", kThesisWidths},
-          {"resolution", {parameter("width_px"), parameter("height_px")}},
-          {"msaa", parameter("samples_per_pixel")},
-          {"triangle_area_px", quad_area ? Json(json_number(*quad_area / 2)) : Json(nullptr)},
-          {"quad_area_px", parameter("dice_area_px")},
-          {"backface_culling", parameter("cull_backfaces")},
-          {"averaged_over_scenes", view.scenes()},
-          {"instruction_counts_are",
-           "vector instructions (one for all lanes), per rasterized micropolygon where marked "
-           "ops_per_mp"}};
 }
 
 Json utilization_json(const ReportView& view, const UtilizationTable& table) {
@@ -135,7 +121,7 @@ Json claims_json(const ReportView& view) {
 Json thesis_json(const ReportView& view) {
   return {{"source",
            fmt::format("lanescope {}: {}", view.report().program_version, view.report().command)},
-          {"setup", setup_json(view)},
+          {"setup", setup_json(first_configuration(view), view.scenes())},
           {"table_4_1", utilization_json(view, utilization_table("4.1"))},
           {"table_4_2", utilization_json(view, utilization_table("4.2"))},
           {"table_4_3", overhead_json(view)},

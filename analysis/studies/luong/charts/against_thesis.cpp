@@ -12,7 +12,7 @@ namespace {
 /// The difference as the map colours it: utilizations and shares in points, everything else in
 /// percent of the thesis's figure.
 std::optional<double> difference(const Figure& figure) {
-  if (!figure.ours || !figure.paper || figure.unit->difference == Difference::kBound) return {};
+  if (!has_difference(figure)) return {};
   if (figure.unit == &kPercent) return rounded_difference(figure);
   if (figure.unit == &kShare) return *rounded_difference(figure) * 100.0;
   if (*figure.paper == 0.0) return {};
@@ -102,6 +102,7 @@ std::vector<Block> build(const ReportView& view) {
   Rows gathered;
   for (const Table* table : luong_tables()) gathered.add_table(build_table(*table, view));
   DataFrame rows = gathered.take();
+  if (rows.empty()) return {};
   auto panels = spec(view.report(), rows);
   return {Chart{"map",
                 "Ours against the thesis, cell by cell: utilizations and shares in points after "

@@ -4,6 +4,7 @@
 #include "analysis/html/markup.h"
 #include "analysis/html/section.h"
 #include "analysis/html/table_html.h"
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
 #include "analysis/studies/luong/study.h"
 #include "analysis/studies/luong/tables/utilization.h"
@@ -22,8 +23,9 @@ std::string_view thesis_key(const Series& series) {
 
 TableData headline(const ReportView& view) {
   TableData data;
-  data.title = "Utilization of all stages together, and instructions for each micropolygon";
+  data.title = "Utilization of the stages together, and instructions for each micropolygon";
   data.caption = view.caption();
+  data.setting = view.setting();
   data.row_header = "Kernel";
   for (const int width : lanescope::widths_of(view.report()))
     data.columns.push_back(fmt::format("W = {}", width));
@@ -31,13 +33,13 @@ TableData headline(const ReportView& view) {
     const std::string_view key = thesis_key(series);
     data.rows.push_back(
         {fmt::format("{}, {}", shown_kernel(series.kernel), plural(series.facet)), {}});
-    data.rows.push_back(row_over(view, series, "Utilization", [&](int width) {
+    data.rows.push_back(row_over(view, series, "Utilization, without Setup", [&](int width) {
       return Cell{Figure{overall_utilization(view, series, width),
                          thesis_value({key, "utilization", "Overall"}, width), &kPercent},
                   {},
                   {}};
     }));
-    data.rows.push_back(row_over(view, series, "Instr./mp", [&](int width) {
+    data.rows.push_back(row_over(view, series, "Instr./mp, without Setup", [&](int width) {
       return Cell{Figure{instructions(view, series, width),
                          thesis_value({key, "ops_per_mp"}, width), &kInstructionsPerMp},
                   {},
@@ -51,7 +53,7 @@ TableData headline(const ReportView& view) {
 }
 
 std::vector<Block> build(const ReportView& view) {
-  std::string html = table_html(headline(view));
+  std::string html = table_html(compared<headline>(view));
   for (const Table* table : luong_tables())
     html += fmt::format("<details><summary>All figures: {}</summary>\n{}</details>\n",
                         html_escaped(table->summary), table_html(build_table(*table, view)));

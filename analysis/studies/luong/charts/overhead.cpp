@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/html/charts/overhead_chart.h"
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
 #include "analysis/studies/luong/thesis.h"
 
@@ -13,6 +14,7 @@ std::optional<double> thesis_overhead(const Series& series, const std::string& s
 }
 
 std::vector<Block> build(const ReportView& view) {
+  if (!differences_from_thesis(view).empty()) return overhead_chart(view);
   return overhead_chart(view, PaperOverhead{"Thesis, of no width in particular",
                                             "Strokes: the thesis's figures of table 4.3, which it "
                                             "gives for no width in particular.",

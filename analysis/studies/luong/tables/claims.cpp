@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
 #include "analysis/studies/luong/thesis.h"
 
@@ -14,7 +15,14 @@ namespace {
 
 using OverWidth = std::function<std::optional<double>(int width)>;
 
+/// Of a claim; n/a where there is nothing to judge.
 Cell verdict(std::optional<bool> holds) { return {{}, {}, !holds ? "n/a" : *holds ? "yes" : "no"}; }
+
+/// Claims are of the thesis's scenes in its setting: nothing else can break one.
+void withdraw_verdicts(TableData& data) {
+  for (Row& row : data.rows)
+    if (!row.cells.empty()) row.cells.back().words = kNotComparable;
+}
 
 /// The claim is a number: it holds if ours is within `tolerance` of it, as a share of it.
 Row near_row(const std::string& label, const Figure& figure, double tolerance) {
@@ -51,6 +59,7 @@ Row crossover_row(const ReportView& view, std::string_view facet) {
   const Series lockstep{"lockstep", std::string(facet)};
   const Series repack{"repack", std::string(facet)};
   const bool quads = facet == kQuad;
+  const bool is_comparable = differences_from_thesis(view).empty();
   const auto ours = crossover(
       widths_of(view, lockstep), [&](int width) { return instructions(view, lockstep, width); },
       [&](int width) { return instructions(view, repack, width); });
@@ -65,7 +74,7 @@ Row crossover_row(const ReportView& view, std::string_view facet) {
   std::optional<bool> holds;
   if (ours) holds = ours == theirs;
   return {fmt::format("REPACK overtakes, {}", plural(facet)),
-          {Cell{{}, {}, fmt::format("{} (thesis: {})", ours.value_or("n/a"), *theirs)},
+          {Cell{{}, {}, ours.value_or("n/a") + (is_comparable ? " (thesis: " + *theirs + ")" : "")},
            verdict(holds)}};
 }
 
@@ -171,8 +180,11 @@ TableData build(const ReportView& view) {
   add_working_set(data, view);
   add_conflicts(data, view);
   add_rate(data, view);
+  if (!differences_from_thesis(view).empty()) withdraw_verdicts(data);
   data.notes = {
-      fmt::format("Measured at W = {} on triangles where nothing else is said.", kClaimWidth),
+      fmt::format("Measured at W = {} on triangles where nothing else is said. Instructions are "
+                  "without Setup.",
+                  kClaimWidth),
       "A number holds within 5% of itself (utilization), 10% (instructions/mp of quads, average "
       "working set), 15% (STE, rates) or 25% (\"about 20%\" saved); a maximum holds if it is not "
       "exceeded."};
@@ -185,6 +197,6 @@ TableData build(const ReportView& view) {
 namespace lanescope {
 
 extern const Table luong_t_claims{"claims", "what the text of the thesis says beside its tables",
-                                  luong::build};
+                                  luong::compared<luong::build>};
 
 }  // namespace lanescope

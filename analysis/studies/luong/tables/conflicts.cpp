@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
 #include "analysis/studies/luong/thesis.h"
 
@@ -44,7 +45,8 @@ TableData build(const ReportView& view) {
 
 namespace lanescope {
 
-extern const Table luong_t_conflicts{
-    "conflicts", "lanes that hit one sample at once, by two denominators", luong::build};
+extern const Table luong_t_conflicts{"conflicts",
+                                     "lanes that hit one sample at once, by two denominators",
+                                     luong::compared<luong::build>};
 
 }  // namespace lanescope

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
 #include "analysis/studies/luong/tables/utilization.h"
 #include "analysis/studies/luong/thesis.h"
@@ -10,7 +11,7 @@
 namespace lanescope::luong {
 namespace {
 
-/// Differences in points of utilization, gathered cell by cell.
+/// Differences of utilizations or of shares, in points, gathered cell by cell.
 struct Deviation {
   int cells = 0;
   double largest = 0.0;
@@ -19,9 +20,9 @@ struct Deviation {
   double exact_squares = 0.0;
 
   void add(const Figure& figure, const std::string& place) {
-    if (!figure.ours || !figure.paper) return;
-    const double rounded = *rounded_difference(figure);
-    const double exact = 100.0 * (*figure.ours - *figure.paper);
+    if (!has_difference(figure)) return;
+    const double rounded = *rounded_difference(figure) * kPercent.scale / figure.unit->scale;
+    const double exact = kPercent.scale * (*figure.ours - *figure.paper);
     ++cells;
     rounded_squares += rounded * rounded;
     exact_squares += exact * exact;
@@ -36,13 +37,14 @@ struct Deviation {
   }
 };
 
-void add_table(Deviation& deviation, const ReportView& view, const UtilizationTable& table,
-               bool overall) {
-  std::vector<std::string_view> rows = thesis_stages(table);
-  if (overall) rows = {"Overall"};
+using CellFigure = Figure (*)(const ReportView&, const UtilizationTable&, std::string_view, int);
+
+/// Adds the cells of some rows of a table.
+void add_cells(Deviation& deviation, const ReportView& view, const UtilizationTable& table,
+               const std::vector<std::string_view>& rows, CellFigure figure_of) {
   for (const std::string_view row : rows)
     for (const int width : kThesisWidths)
-      deviation.add(utilization_figure(view, table, row, width),
+      deviation.add(figure_of(view, table, row, width),
                     fmt::format("{} at W = {} of {}", row, width, table.number));
 }
 
@@ -59,25 +61,47 @@ Row deviation_row(const std::string& label, const Deviation& deviation) {
        points(deviation.root_mean_square(deviation.exact_squares)), Cell{{}, {}, deviation.where}}};
 }
 
-TableData build(const ReportView& view) {
-  TableData data;
-  data.title = "Deviation from the thesis's utilization, in points";
-  data.row_header = "Cells";
-  data.columns = {"Cells", "Largest", "RMS", "RMS, unrounded", "Largest at"};
-  Deviation triangles, quads, overall;
+/// Adds a row for the stages of each of the four tables, and for those of triangles and of quads.
+void add_stages(TableData& data, const ReportView& view, std::string_view what,
+                CellFigure figure_of) {
+  Deviation triangles, quads;
   for (const UtilizationTable& table : utilization_tables()) {
     Deviation alone;
-    add_table(alone, view, table, false);
-    add_table(table.series.facet == kTriangle ? triangles : quads, view, table, false);
-    add_table(overall, view, table, true);
-    data.rows.push_back(deviation_row(fmt::format("Stages of {}", table.number), alone));
+    add_cells(alone, view, table, thesis_stages(table), figure_of);
+    add_cells(table.series.facet == kTriangle ? triangles : quads, view, table,
+              thesis_stages(table), figure_of);
+    data.rows.push_back(deviation_row(fmt::format("{} of {}", what, table.number), alone));
   }
-  data.rows.push_back(deviation_row("Stages, triangles", triangles));
-  data.rows.push_back(deviation_row("Stages, quads", quads));
+  data.rows.push_back(deviation_row(fmt::format("{}, triangles", what), triangles));
+  data.rows.push_back(deviation_row(fmt::format("{}, quads", what), quads));
+}
+
+TableData of_thesis_cells(const ReportView& view) {
+  TableData data;
+  data.title = "Deviation from the thesis's utilization and shares of the instructions, in points";
+  data.row_header = "Cells";
+  data.columns = {"Cells", "Largest", "RMS", "RMS, unrounded", "Largest at"};
+  add_stages(data, view, "Stages", utilization_figure);
+  Deviation overall;
+  for (const UtilizationTable& table : utilization_tables())
+    add_cells(overall, view, table, {"Overall"}, utilization_figure);
   data.rows.push_back(deviation_row("Overall, all four", overall));
+  add_stages(data, view, "Shares", share_figure);
   data.notes = {
-      "Both numbers are rounded to whole percents first, as the thesis rounds, unless said "
-      "otherwise."};
+      "Stages and Overall are of utilization, Shares of the instructions of a stage over those of "
+      "all; all without Setup. Both numbers are rounded to whole percents first, as the thesis "
+      "rounds, unless said otherwise."};
+  return data;
+}
+
+/// Figures of something else deviate from nothing.
+TableData build(const ReportView& view) {
+  TableData data = of_thesis_cells(view);
+  if (differences_from_thesis(view).empty()) return data;
+  for (Row& row : data.rows) {
+    row.cells.assign(data.columns.size(), Cell{});
+    row.cells.back().words = kNotComparable;
+  }
   return data;
 }
 
@@ -87,6 +111,6 @@ TableData build(const ReportView& view) {
 namespace lanescope {
 
 extern const Table luong_t_deviation{"deviation", "how far utilization is from the thesis's tables",
-                                     luong::build};
+                                     luong::compared<luong::build>};
 
 }  // namespace lanescope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
 #include "analysis/studies/luong/thesis.h"
 
@@ -40,7 +41,8 @@ TableData build(const ReportView& view) {
 
 namespace lanescope {
 
-extern const Table luong_t_overhead{
-    "overhead", "table 4.3: what REPACK spends on its buffers, by stage", luong::build};
+extern const Table luong_t_overhead{"overhead",
+                                    "table 4.3: what REPACK spends on its buffers, by stage",
+                                    luong::compared<luong::build>};
 
 }  // namespace lanescope

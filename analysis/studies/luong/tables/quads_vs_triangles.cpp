@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
 #include "analysis/studies/luong/thesis.h"
 
@@ -22,6 +23,8 @@ std::string heading(const ReportView& view, std::string_view facet, std::string_
                    &kPercent};
   const Figure count{micropolygons_rasterized(view, facet),
                      thesis_value({"table_4_6", facet, "micropolygons"}), &kMillions};
+  if (!differences_from_thesis(view).empty())
+    return fmt::format("{}: STE {}, {} micropolygons", plural, shown(ste), shown(count));
   return fmt::format("{}: STE {} (thesis {}), {} micropolygons (thesis {})", plural, shown(ste),
                      shown_paper(ste), shown(count), shown_paper(count));
 }
@@ -32,7 +35,7 @@ void add_block(TableData& data, const ReportView& view, const Series& series,
   std::vector<std::string_view> labels(kStages.begin(), kStages.end());
   labels.push_back("Total");
   for (const std::string_view label : labels) {
-    Row row{std::string(label), {}};
+    Row row{std::string(label) + (label == "Total" ? ", without Setup" : ""), {}};
     for (const int width : widths_of(view, kLockstepTriangle)) {
       const auto thesis = thesis_value({"table_4_6", series.facet, "ops_per_mp", label}, width);
       row.cells.push_back(
@@ -44,7 +47,7 @@ void add_block(TableData& data, const ReportView& view, const Series& series,
 
 void add_ratio(TableData& data, const ReportView& view) {
   data.rows.push_back({"Quads against triangles", {}});
-  Row row{"Total", {}};
+  Row row{"Total, without Setup", {}};
   for (const int width : widths_of(view, kLockstepTriangle)) {
     const auto ratio = quotient(instructions(view, kLockstepQuad, width),
                                 instructions(view, kLockstepTriangle, width));
@@ -77,6 +80,6 @@ namespace lanescope {
 
 extern const Table luong_t_quads_vs_triangles{
     "quads_vs_triangles", "table 4.6: instructions for each triangle and for each quad",
-    luong::build};
+    luong::compared<luong::build>};
 
 }  // namespace lanescope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
 #include "analysis/studies/luong/thesis.h"
 
@@ -29,9 +30,7 @@ Row scene_row(const ReportView& view, std::string label, std::string_view facet,
 }
 
 std::uint64_t samples_covered(const RunRecord& run) {
-  for (const CounterRecord& counter : run.output.counters)
-    if (counter.name == "samples_covered") return counter.value;
-  return 0;
+  return run.output.counter("samples_covered").value_or(0);
 }
 
 std::optional<double> depth_complexity(const RunRecord& run) {
@@ -92,7 +91,8 @@ TableData build(const ReportView& view) {
 
 namespace lanescope {
 
-extern const Table luong_t_sample_tests{
-    "sample_tests", "sample test efficiency and micropolygons, by scene", luong::build};
+extern const Table luong_t_sample_tests{"sample_tests",
+                                        "sample test efficiency and micropolygons, by scene",
+                                        luong::compared<luong::build>};
 
 }  // namespace lanescope

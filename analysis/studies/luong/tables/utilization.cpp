@@ -25,9 +25,8 @@ Row width_row(const std::string& label, const std::vector<int>& widths, const Ma
 
 Row stage_row(const ReportView& view, const UtilizationTable& table, std::string_view stage) {
   return width_row(std::string(stage), widths_of(view, table.series), [&](int width) {
-    const Figure share{stage_share(view, table.series, stage, width),
-                       thesis_value({table.thesis_key, "fraction_of_time", stage}, width), &kShare};
-    return Cell{utilization_figure(view, table, stage, width), share, {}};
+    return Cell{
+        utilization_figure(view, table, stage, width), share_figure(view, table, stage, width), {}};
   });
 }
 
@@ -42,10 +41,10 @@ Row setup_row(const ReportView& view, const Series& series) {
 void add_rows_with_setup(TableData& data, const ReportView& view, const Series& series) {
   const std::vector<int> widths = widths_of(view, series);
   data.rows.push_back(setup_row(view, series));
-  data.rows.push_back(width_row("Overall *", widths, [&](int width) {
+  data.rows.push_back(width_row("Overall, all stages", widths, [&](int width) {
     return Cell{Figure{overall_utilization(view, series, width, Stages{}), {}, &kPercent}, {}, {}};
   }));
-  data.rows.push_back(width_row("Instr./mp *", widths, [&](int width) {
+  data.rows.push_back(width_row("Instr./mp, all stages", widths, [&](int width) {
     return Cell{
         Figure{instructions(view, series, width, Stages{}), {}, &kInstructionsPerMp}, {}, {}};
   }));
@@ -84,20 +83,27 @@ Figure utilization_figure(const ReportView& view, const UtilizationTable& table,
   return {ours, thesis_value({table.thesis_key, "utilization", stage}, width), &kPercent};
 }
 
+Figure share_figure(const ReportView& view, const UtilizationTable& table, std::string_view stage,
+                    int width) {
+  return {stage_share(view, table.series, stage, width),
+          thesis_value({table.thesis_key, "fraction_of_time", stage}, width), &kShare};
+}
+
 TableData build_utilization(const ReportView& view, const UtilizationTable& table) {
   const Series& series = table.series;
   const std::vector<int> widths = widths_of(view, series);
   TableData data;
-  data.title = fmt::format("Table {}: {}, {}: utilization (share of the instructions)",
-                           table.number, shown_kernel(series.kernel), plural(series.facet));
+  data.title =
+      fmt::format("Table {}: {}, {}: utilization (share of the instructions, without Setup)",
+                  table.number, shown_kernel(series.kernel), plural(series.facet));
   data.row_header = "Stage";
   for (const int width : widths) data.columns.push_back(fmt::format("W = {}", width));
   for (const std::string_view stage : thesis_stages(table))
     data.rows.push_back(stage_row(view, table, stage));
-  data.rows.push_back(width_row(std::string(kOverall), widths, [&](int width) {
+  data.rows.push_back(width_row("Overall, without Setup", widths, [&](int width) {
     return Cell{utilization_figure(view, table, kOverall, width), {}, {}};
   }));
-  data.rows.push_back(width_row("Instr./mp", widths, [&](int width) {
+  data.rows.push_back(width_row("Instr./mp, without Setup", widths, [&](int width) {
     return Cell{Figure{instructions(view, series, width),
                        thesis_value({table.thesis_key, "ops_per_mp"}, width), &kInstructionsPerMp},
                 {},
@@ -107,8 +113,10 @@ TableData build_utilization(const ReportView& view, const UtilizationTable& tabl
   data.notes = {
       "Utilization is active lanes / (instructions x W); instructions are vector instructions, for "
       "each micropolygon (mp) that is rasterized.",
-      "* The thesis leaves Setup out of its tables. Rows marked so are with it; the others, as in "
-      "the thesis, without."};
+      "A difference is ours minus the paper's: of utilizations and, in parentheses, of shares in "
+      "points, of instructions in percent.",
+      "* The thesis leaves Setup out of its tables, and so do all other shares here; that of Setup "
+      "is of all stages."};
   return data;
 }
 

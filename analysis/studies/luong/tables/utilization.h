@@ -23,8 +23,8 @@ const std::vector<UtilizationTable>& utilization_tables();
 /// The one of that number. Requires that there is one.
 const UtilizationTable& utilization_table(std::string_view number);
 
-/// Rows: the stages, Overall, instructions per micropolygon; then Setup and the sums with it.
-/// Columns: the widths. Cells: utilization, and the share of the instructions.
+/// Rows: the stages, Overall, instructions per micropolygon; then Setup and the sums over all
+/// stages. Columns: the widths. Cells: utilization, and the share of the instructions.
 TableData build_utilization(const ReportView& view, const UtilizationTable& table);
 
 /// Stages of the thesis's table.
@@ -33,5 +33,9 @@ std::vector<std::string_view> thesis_stages(const UtilizationTable& table);
 /// Utilization of a stage at a width, or of "Overall", beside the thesis's.
 Figure utilization_figure(const ReportView& view, const UtilizationTable& table,
                           std::string_view stage, int width);
+
+/// A stage's share of the instructions at a width, beside the thesis's.
+Figure share_figure(const ReportView& view, const UtilizationTable& table, std::string_view stage,
+                    int width);
 
 }  // namespace lanescope::luong

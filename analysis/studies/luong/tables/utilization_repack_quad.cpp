@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/tables/utilization.h"
 
 namespace lanescope::luong {
@@ -14,6 +15,7 @@ TableData build(const ReportView& view) {
 namespace lanescope {
 
 extern const Table luong_t_utilization_repack_quad{
-    "utilization_repack_quad", "table 4.5: utilization of REPACK by stage, quads", luong::build};
+    "utilization_repack_quad", "table 4.5: utilization of REPACK by stage, quads",
+    luong::compared<luong::build>};
 
 }  // namespace lanescope

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/tables/utilization.h"
 
 namespace lanescope::luong {
@@ -15,6 +16,6 @@ namespace lanescope {
 
 extern const Table luong_t_utilization_repack_triangle{
     "utilization_repack_triangle", "table 4.2: utilization of REPACK by stage, triangles",
-    luong::build};
+    luong::compared<luong::build>};
 
 }  // namespace lanescope

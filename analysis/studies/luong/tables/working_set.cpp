@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
 #include "analysis/studies/luong/thesis.h"
 
@@ -43,6 +44,6 @@ TableData build(const ReportView& view) {
 namespace lanescope {
 
 extern const Table luong_t_working_set{"working_set", "micropolygons that REPACK keeps in flight",
-                                       luong::build};
+                                       luong::compared<luong::build>};
 
 }  // namespace lanescope

@@ -7,7 +7,7 @@
 
 #include "analysis/studies/luong/charts/crossing_point.h"
 #include "analysis/studies/luong/study.h"
-#include "tests/analysis/sample_report.h"
+#include "tests/analysis/studies/luong/sample_of_study.h"
 
 namespace lanescope::luong {
 namespace {
@@ -63,7 +63,7 @@ TEST(LuongCharts, UtilizationIsSummedWithoutSetup) {
 }
 
 TEST(LuongCharts, OverheadStandsBesideTable43) {
-  const Chart chart = chart_of(sample_report(), "overhead", "shares");
+  const Chart chart = chart_of(sample_of_study(), "overhead", "shares");
   // 15 / 60 and 10 / 40, beside the 26% of table 4.3.
   EXPECT_EQ(last_of(chart, {"REPACK", "micropolygon = triangle", 8, "Test"}, 1), Json(0.25));
   EXPECT_EQ(last_of(chart, {"REPACK", "micropolygon = triangle", 8, "Test"}), Json(0.26));
@@ -104,9 +104,21 @@ TEST(LuongCharts, WorkingSetAddsUpThePacketsOfItsScenes) {
 }
 
 TEST(LuongCharts, TheMapHasTheRoundedDifferencesOfTheTables) {
-  const Chart chart = chart_of(sample_report(), "against-thesis", "map");
+  const Chart chart = chart_of(sample_of_study(), "against-thesis", "map");
   // 85% against 98%.
   EXPECT_EQ(last_of(chart, {"Table 4.1: LOCKSTEP, triangles", "Bound", "W = 8"}, 1), Json(-13.0));
+}
+
+/// Two scenes are not the four of the thesis.
+TEST(LuongCharts, CompareWithNothingThatIsNotTheThesiss) {
+  const Report two_scenes = sample_report();
+  const Chart overhead = chart_of(two_scenes, "overhead", "shares");
+  for (const auto& row : overhead.rows.rows())
+    for (const Json& value : row) EXPECT_NE(value, Json(0.26));
+  for (const Section* section : luong_sections()) {
+    if (section->id != "against-thesis") continue;
+    EXPECT_TRUE(section->build(view_of(study_luong, two_scenes)).empty());
+  }
 }
 
 TEST(LuongPage, ItsSectionsTakeTheirPlacesAmongTheGeneralOnes) {
@@ -130,7 +142,7 @@ TEST(LuongPage, OfOtherKernelsIsTheGeneralOne) {
 }
 
 TEST(LuongPage, HasTwelveSectionsAndFourteenCharts) {
-  Report report = sample_report();
+  Report report = sample_of_study();
   for (RunRecord& run : report.runs)
     if (run.configuration.kernel == "repack")
       run.series = {{"working_set_course_sum", "", "", "", {16, 30}},
