@@ -8,8 +8,11 @@
 #include "analysis/cli/progress.h"
 #include "analysis/experiment/experiment.h"
 #include "analysis/formats/format.h"
+#include "analysis/html/page.h"
 #include "analysis/report/report_json.h"
+#include "analysis/studies/study.h"
 #include "analysis/tables/run_summary.h"
+#include "simulator/base/error.h"
 
 namespace lanescope {
 namespace {
@@ -18,13 +21,23 @@ struct Given {
   ExperimentArguments experiment;
   std::string threads;
   std::string json;
+  std::string html;
 };
+
+/// The page of this one report; frames that were drawn before stand where the command runs.
+std::string page_of(const Report& report) {
+  return report_page({{"report.json", report}}, ".",
+                     [](const Report& setting) { return page_plan(setting, studies()); });
+}
 
 void run(const CommandOptions& command, const Given& given) {
   const std::vector<Configuration> configurations = resolve_configurations(given.experiment);
   ExperimentOptions options;
   options.threads = parse_threads(given.threads);
+  if (given.json == "-" && given.html == "-")
+    throw InputError("--html", "standard output is taken by --json; name a file");
   Destination json(given.json);
+  Destination html(given.html);
   tell_memory(configurations);
   Progress progress(command.name());
   options.progress = [&](double fraction) { progress.update(fraction); };
@@ -32,7 +45,11 @@ void run(const CommandOptions& command, const Given& given) {
   report.command = command.command_line();
   make_all({[&] { json.write(report_text(report)); },
             [&] {
-              if (!json.is_stdout()) print(find_format("text").write(run_summaries(report)));
+              if (!html.is_none()) html.write(page_of(report));
+            },
+            [&] {
+              if (!json.is_stdout() && !html.is_stdout())
+                print(find_format("text").write(run_summaries(report)));
             }});
 }
 
@@ -41,6 +58,9 @@ Action declare(CommandOptions& options) {
   add_experiment_options(options, given->experiment);
   add_threads_option(options, given->threads);
   options.add_output({"--json", "FILE", "Writes the report; - for standard output"}, given->json);
+  options.add_output(
+      {"--html", "FILE", "Writes the page of `lanescope report`; - for standard output"},
+      given->html);
   return [&options, given] { run(options, *given); };
 }
 
@@ -50,6 +70,7 @@ extern const Command c_run{"run", "Runs kernels on scenes and prints how busy th
                            "  lanescope run --kernel {kernel} --scene {scene} --width 16\n"
                            "  lanescope run --kernel {kernel} --width 1:64 --json widths.json\n"
                            "  lanescope run --scene {group} {facet} --json report.json\n"
+                           "  lanescope run --kernel {kernel} --width 8,16 --html page.html\n"
                            "  lanescope run --mesh {file}",
                            declare};
 

@@ -28,6 +28,11 @@ void DataFrame::add(std::vector<Json> row) {
   rows_.push_back(std::move(row));
 }
 
+void DataFrame::append(const DataFrame& other) {
+  LANESCOPE_CHECK(columns_ == other.columns_, "{} columns", other.columns_.size());
+  rows_.insert(rows_.end(), other.rows_.begin(), other.rows_.end());
+}
+
 Json DataFrame::to_json() const {
   Json columns = Json::array();
   for (std::size_t c = 0; c < columns_.size(); ++c) {

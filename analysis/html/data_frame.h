@@ -14,6 +14,8 @@ struct DataColumn {
   std::string name;
   std::string title;
   std::string format;
+
+  bool operator==(const DataColumn&) const = default;
 };
 
 class DataFrame {
@@ -25,6 +27,10 @@ class DataFrame {
 
   /// Requires a value for each column: words, a number, or null. Numbers keep five digits.
   void add(std::vector<Json> row);
+  /// The rows of another frame with the same columns, behind its own.
+  void append(const DataFrame& other);
+
+  bool operator==(const DataFrame&) const = default;
 
   bool empty() const { return rows_.empty(); }
   const std::vector<DataColumn>& columns() const { return columns_; }

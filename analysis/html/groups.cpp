@@ -138,6 +138,14 @@ std::vector<InstructionEntry> instructions_of(const std::vector<NamedReport>& so
   return list;
 }
 
+void add_run(Report& report, const PlacedRun& placed) {
+  const Report& source = placed.source->report;
+  const auto place = static_cast<std::size_t>(placed.run - source.runs.data());
+  report.runs.push_back(*placed.run);
+  report.timing.kernel_ms.push_back(
+      place < source.timing.kernel_ms.size() ? source.timing.kernel_ms[place] : 0.0);
+}
+
 }  // namespace
 
 std::vector<Group> groups_of(const std::vector<NamedReport>& sources) {
@@ -150,9 +158,10 @@ std::vector<Group> groups_of(const std::vector<NamedReport>& sources) {
   for (const Arguments& setting : settings_of(of_runs)) {
     Group& group = groups.emplace_back();
     group.name = text_of(setting);
+    group.setting = setting;
     group.report.instructions = instructions_of(sources);
     for (std::size_t i = 0; i < runs.size(); ++i)
-      if (includes(setting, of_runs[i])) group.report.runs.push_back(*runs[i].run);
+      if (includes(setting, of_runs[i])) add_run(group.report, runs[i]);
   }
   return groups;
 }

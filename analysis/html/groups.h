@@ -11,8 +11,9 @@ namespace lanescope {
 
 /// Runs of one setting: they differ in kernel, width, facet and scene only.
 struct Group {
-  std::string name;  ///< The parameters that tell groups apart: `samples_per_pixel = 4`; or empty.
-  Report report;     ///< These runs, with the instructions of all sources.
+  std::string name;   ///< The parameters that tell groups apart: `samples_per_pixel = 4`; or empty.
+  Arguments setting;  ///< The same with their values.
+  Report report;      ///< These runs and their times, with the instructions of all sources.
 };
 
 /// All runs, by setting, in the order in which settings first occur. Settings are the kind of work

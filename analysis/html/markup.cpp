@@ -31,12 +31,13 @@ std::string html_escaped(std::string_view text) {
   return result;
 }
 
+std::string json_bytes(const nlohmann::ordered_json& value) {
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 std::string script_json(const nlohmann::ordered_json& value) {
-  // A path of a mesh can be any bytes; those that are not UTF-8 are replaced.
-  const std::string text =
-      value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   std::string result;
-  for (const char c : text)
+  for (const char c : json_bytes(value))
     if (c == '<')
       result += "\\u003c";
     else

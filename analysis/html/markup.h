@@ -11,6 +11,10 @@ namespace lanescope {
 /// For the text of an element or a quoted attribute.
 std::string html_escaped(std::string_view text);
 
+/// A document without white space. Bytes of its texts that are not UTF-8 are replaced: a path of a
+/// mesh can have any.
+std::string json_bytes(const nlohmann::ordered_json& value);
+
 /// A document for a <script> element of JSON: no character of it can end the element.
 std::string script_json(const nlohmann::ordered_json& value);
 

@@ -4,12 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 #include "analysis/html/assets.h"
+#include "analysis/html/blocks.h"
+#include "analysis/html/downloads.h"
 #include "analysis/html/groups.h"
 #include "analysis/html/markup.h"
+#include "analysis/html/over_settings.h"
 #include "analysis/html/pictures.h"
+#include "analysis/html/settings.h"
 #include "analysis/html/summary.h"
 #include "simulator/base/error.h"
 
@@ -20,67 +25,113 @@ namespace {
 struct Part {
   std::string id;
   std::string title;
-  int level = 2;
   std::string html;
 };
 
-std::string chart_html(const Chart& chart, const std::string& id) {
-  if (chart.rows.empty())
-    return fmt::format("<p class=\"note\">The reports have no such figures: {}</p>\n",
-                       html_escaped(chart.caption));
-  nlohmann::ordered_json spec = chart.spec;
-  spec["description"] = chart.caption;
-  return fmt::format(
-      "<figure class=\"chart\" id=\"{0}\" data-drawn=\"false\">\n<div class=\"scroll\"><div "
-      "class=\"drawing\"></div></div>\n<figcaption>{1}</figcaption>\n<details "
-      "class=\"numbers\"><summary>Numbers as a table<span class=\"hidden\">: {1}</span></summary>"
-      "</details>\n<script type=\"application/json\">{2}</script>\n</figure>\n",
-      id, html_escaped(chart.caption),
-      script_json({{"spec", std::move(spec)}, {"data", chart.rows.to_json()}}));
+/// A name for an id: reports of other programs may have parameters of any name.
+std::string plain(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c) && c != '_'; }, '-');
+  return name;
 }
 
-std::string block_html(const Block& block, const std::string& section_id) {
-  if (const Markup* markup = std::get_if<Markup>(&block)) return markup->html;
-  const Chart& chart = std::get<Chart>(block);
-  return chart_html(chart, section_id + '-' + chart.id);
-}
+/// A page under construction: its parts, and the sections that have no figures.
+class Parts {
+ public:
+  Parts(const std::vector<Setting>& settings, const std::vector<PagePlan>& plans)
+      : settings_(settings), plans_(plans), first_(first_setting(settings)) {}
 
-Part section_part(const Section& section, const ReportView& view, const std::string& prefix,
-                  int level) {
-  Part part{prefix + std::string(section.id), std::string(section.title), level,
-            fmt::format("<p>{}</p>\n", html_escaped(section.explanation))};
-  const std::vector<Block> blocks = section.build(view);
-  if (blocks.empty()) part.html += "<p class=\"note\">The reports have no such figures.</p>\n";
-  for (const Block& block : blocks) part.html += block_html(block, part.id);
-  return part;
-}
+  void add(Part part) { parts_.push_back(std::move(part)); }
 
-/// The sections of each group; a single group needs no heading of its own.
-void add_groups(std::vector<Part>& parts, const std::vector<Group>& groups, const PlanOf& plan_of) {
-  const bool several = groups.size() > 1;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const std::string prefix = several ? fmt::format("setting-{}-", i + 1) : "";
-    if (several) parts.push_back({fmt::format("setting-{}", i + 1), groups[i].name, 2, ""});
-    const Report& report = groups[i].report;
-    const PagePlan plan = plan_of(report);
-    const ReportView view(report, scenes_of(report, plan.scenes));
-    for (const Section* section : plan.sections)
-      parts.push_back(section_part(*section, view, prefix, several ? 3 : 2));
+  void add_over_settings() {
+    for (const SettingAxis& axis : axes_of(settings_)) {
+      const std::string id = "over-" + plain(axis.parameter);
+      const std::string html = blocks_html({over_parameter(settings_, axis)}, 0, id);
+      if (!html.empty()) add({id, "Over " + axis.parameter, html});
+    }
   }
+
+  /// The section of that id of each setting's plan, which may be different ones.
+  void add_section(std::string_view id) {
+    const Section* shown = nullptr;
+    std::vector<std::vector<Block>> blocks(settings_.size());
+    for (std::size_t i = 0; i < settings_.size(); ++i) {
+      const Section* section = find(plans_[i], id);
+      if (!section) continue;
+      blocks[i] = section->build(settings_[i].view);
+      if (!shown || i == first_) shown = section;
+    }
+    const std::string html = blocks_html(blocks, first_, std::string(id));
+    if (html.empty()) {
+      missing_.emplace_back(shown->title);
+      return;
+    }
+    const std::string sentence = shown->explanation.empty()
+                                     ? std::string()
+                                     : fmt::format("<p>{}</p>\n", html_escaped(shown->explanation));
+    add({std::string(id), std::string(shown->title), sentence + html});
+  }
+
+  void prepend_to_last(const std::string& html) { parts_.back().html.insert(0, html); }
+
+  /// What the reader would look for in vain.
+  std::string missing_note() const {
+    if (missing_.empty()) return {};
+    return fmt::format("<p class=\"note\">The reports have no figures for: {}.</p>\n",
+                       html_escaped(fmt::format("{}", fmt::join(missing_, "; "))));
+  }
+
+  const std::vector<Part>& all() const { return parts_; }
+
+ private:
+  static const Section* find(const PagePlan& plan, std::string_view id) {
+    const auto found = std::find_if(plan.sections.begin(), plan.sections.end(),
+                                    [&](const Section* section) { return section->id == id; });
+    return found == plan.sections.end() ? nullptr : *found;
+  }
+
+  const std::vector<Setting>& settings_;
+  const std::vector<PagePlan>& plans_;
+  std::size_t first_;
+  std::vector<Part> parts_;
+  std::vector<std::string> missing_;
+};
+
+/// The ids of the sections of all plans, in the order in which they first occur.
+std::vector<std::string_view> section_ids(const std::vector<PagePlan>& plans) {
+  std::vector<std::string_view> ids;
+  for (const PagePlan& plan : plans)
+    for (const Section* section : plan.sections)
+      if (std::find(ids.begin(), ids.end(), section->id) == ids.end()) ids.push_back(section->id);
+  return ids;
+}
+
+/// First the answer, then pictures, then charts; what was run, and with what, at the end.
+std::vector<Part> parts_of(const std::vector<NamedReport>& sources, const std::string& pictures,
+                           const std::vector<Setting>& settings,
+                           const std::vector<PagePlan>& plans) {
+  Parts parts(settings, plans);
+  const std::vector<std::string_view> ids = section_ids(plans);
+  parts.add_section(ids.front());
+  parts.prepend_to_last(cheapest_settings(settings).html);
+  parts.add({"frames", "Frames", pictures_html(sources, pictures)});
+  parts.add_over_settings();
+  for (std::size_t i = 1; i < ids.size(); ++i) parts.add_section(ids[i]);
+  parts.add({"runs", "What was run", summary_html(sources) + parts.missing_note()});
+  parts.add({"downloads", "Downloads", downloads_html(sources)});
+  return parts.all();
 }
 
 std::string contents_html(const std::vector<Part>& parts) {
   std::string text = "<ul>\n";
   for (const Part& part : parts)
-    text += fmt::format("<li class=\"level{}\"><a href=\"#{}\">{}</a></li>\n", part.level, part.id,
-                        html_escaped(part.title));
+    text += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", part.id, html_escaped(part.title));
   return text + "</ul>\n";
 }
 
 std::string part_html(const Part& part) {
-  return fmt::format(
-      "<section aria-labelledby=\"{0}\">\n<h{1} id=\"{0}\">{2}</h{1}>\n{3}</section>\n", part.id,
-      part.level, html_escaped(part.title), part.html);
+  return fmt::format("<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}</h2>\n{2}</section>\n",
+                     part.id, html_escaped(part.title), part.html);
 }
 
 /// A library without the address of its source map, which a browser would look for.
@@ -115,14 +166,20 @@ std::string report_page(const std::vector<NamedReport>& sources, const std::stri
   const std::vector<Group> groups = groups_of(sources);
   if (groups.empty())
     throw InputError(sources.front().name, "has no runs; there is nothing to show");
-  std::vector<Part> parts{{"runs", "What was run", 2, summary_html(sources)},
-                          {"frames", "Frames", 2, pictures_html(sources, pictures)}};
-  add_groups(parts, groups, plan_of);
+  std::vector<PagePlan> plans;
+  std::vector<Setting> settings;
+  for (const Group& group : groups) {
+    plans.push_back(plan_of(group.report));
+    settings.push_back(
+        {&group, ReportView(group.report, scenes_of(group.report, plans.back().scenes))});
+  }
+  const std::vector<Part> parts = parts_of(sources, pictures, settings, plans);
   std::string body;
   for (const Part& part : parts) body += part_html(part);
   return filled(page_template(), {{"title", html_escaped(title_of(sources))},
                                   {"style", std::string(page_style())},
                                   {"contents", contents_html(parts)},
+                                  {"settings", setting_controls(settings)},
                                   {"sections", body},
                                   {"licences", html_escaped(library_licences())},
                                   {"vega", library(vega())},

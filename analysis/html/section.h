@@ -19,13 +19,24 @@ struct Markup {
   std::string html;
 };
 
-/// A chart and its figures. The page draws the Vega-Lite specification with the rows as its data,
-/// and shows the same rows as a table.
+/// A column of a chart's rows whose value the reader picks beside the chart; a single value is only
+/// named.
+struct Pick {
+  std::string column;
+  nlohmann::ordered_json first;  ///< What it begins with; the first of the rows if they lack it.
+
+  bool operator==(const Pick&) const = default;
+};
+
+/// A chart and its figures. The page draws the Vega-Lite specification with the rows that have the
+/// values picked as its data, and shows the same rows as a table; a download has all of them. Of
+/// scales that name colours for values, those that rows have stay.
 struct Chart {
   std::string id;       ///< Unique within the section; letters, digits and hyphens.
   std::string caption;  ///< What is seen and of which scenes; a sentence or two.
   nlohmann::ordered_json spec;
   DataFrame rows;
+  std::vector<Pick> picks = {};
 };
 
 using Block = std::variant<Markup, Chart>;
@@ -35,10 +46,11 @@ using Block = std::variant<Markup, Chart>;
 struct Section {
   std::string_view id;  ///< Of the heading, to link to; letters, digits and hyphens.
   std::string_view title;
-  std::string_view explanation;  ///< One sentence.
+  std::string_view explanation;  ///< One sentence; perhaps none.
   /// Figures of one setting of an experiment: every run differs from the others in kernel, width,
   /// facet or scene. `view` has the scenes that figures are averaged over. Without blocks, or with
-  /// charts that have no rows, the page says that the report has no such figures.
+  /// charts that have no rows, the page leaves the section out and says so. The page shows one
+  /// setting at a time: blocks of several settings stand in one place, charts by their id.
   std::vector<Block> (*build)(const ReportView& view);
 };
 

@@ -25,12 +25,6 @@ void add(std::vector<std::string>& list, const std::string& name) {
   if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
 }
 
-std::vector<std::string> facets_of(const Report& report) {
-  std::vector<std::string> facets;
-  for (const Series& series : series_of(report)) add(facets, shown_facet(series));
-  return facets;
-}
-
 Json stage_encoding(const Report& report) {
   Json range = Json::array();
   const std::vector<std::string> stages = stages_of(report);
@@ -138,6 +132,12 @@ std::vector<std::string> kernels_of(const Report& report) {
   return kernels;
 }
 
+std::vector<std::string> facets_of(const Report& report) {
+  std::vector<std::string> facets;
+  for (const Series& series : series_of(report)) add(facets, shown_facet(series));
+  return facets;
+}
+
 std::string shown_scenes(const ReportView& view) {
   return fmt::format("{}", fmt::join(view.scenes(), ", "));
 }
@@ -184,27 +184,12 @@ Json panel_for(Json panel, std::string_view field, const std::string& value) {
   return panel;
 }
 
-Json choice(std::string_view name, std::string_view label, const Json& options, const Json& first) {
-  if (options == Json::array({""})) return {{"name", name}, {"value", ""}};
-  return {
-      {"name", name},
-      {"value", first},
-      {"bind", {{"input", "select"}, {"options", options}, {"name", fmt::format("{} ", label)}}}};
-}
-
-Json choice_of_lanes(const Report& report) {
+Pick pick_of_lanes(const Report& report) {
   const std::vector<int> widths = widths_of(report);
-  return choice("pick_lanes", "W", widths, first_or(widths, Configuration{}.width));
+  return {"lanes", first_or(widths, Configuration{}.width)};
 }
 
-Json choice_of_facet(const Report& report) {
-  const std::vector<std::string> facets = facets_of(report);
-  return choice("pick_facet", kWork, facets, facets.front());
-}
-
-Json choice_of_kernel(const Report& report) {
-  const std::vector<std::string> kernels = kernels_of(report);
-  return choice("pick_kernel", "Kernel", kernels, kernels.front());
-}
+Pick pick_of_facet() { return {"facet", nullptr}; }
+Pick pick_of_kernel() { return {"kernel", nullptr}; }
 
 }  // namespace lanescope

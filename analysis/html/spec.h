@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/html/data_frame.h"
+#include "analysis/html/section.h"
 #include "analysis/tables/report_view.h"
 #include "analysis/tables/series_rows.h"
 
@@ -21,6 +22,8 @@ std::vector<std::string> stages_of(const Report& report);
 
 /// The kernels of a report, as shown_kernel() has them.
 std::vector<std::string> kernels_of(const Report& report);
+/// The facets of a report, as shown_facet() has them.
+std::vector<std::string> facets_of(const Report& report);
 /// The scenes that figures are of: `ballroll, talking`.
 std::string shown_scenes(const ReportView& view);
 /// What the report's instructions are divided by, as Element has it.
@@ -51,16 +54,10 @@ nlohmann::ordered_json spec_from(std::string_view text, const Report& report);
 nlohmann::ordered_json panel_for(nlohmann::ordered_json panel, std::string_view field,
                                  const std::string& value);
 
-/// A selection beside the chart: the parameter `name`, and the value it begins with. Nothing to
-/// select is not shown.
-nlohmann::ordered_json choice(std::string_view name, std::string_view label,
-                              const nlohmann::ordered_json& options,
-                              const nlohmann::ordered_json& first);
-/// Of one W of the report, `pick_lanes`; begins with 16, the usual one, or the narrowest.
-nlohmann::ordered_json choice_of_lanes(const Report& report);
-/// Of the facet, `pick_facet`.
-nlohmann::ordered_json choice_of_facet(const Report& report);
-/// Of the kernel, `pick_kernel`.
-nlohmann::ordered_json choice_of_kernel(const Report& report);
+/// A pick of one W of the report; begins with 16, the usual one, or the narrowest.
+Pick pick_of_lanes(const Report& report);
+/// Of the facet, and of the kernel.
+Pick pick_of_facet();
+Pick pick_of_kernel();
 
 }  // namespace lanescope

@@ -16,6 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A name that may be broken at its underscores: headings of counters are longer than their values.
+std::string breakable(const std::string& name) {
+  std::string text;
+  for (const char c : name) text += c == '_' ? "_<wbr>" : std::string(1, c);
+  return text;
+}
+
 /// A table of words whose first column names the rows.
 std::string words_table(const std::string& caption, const std::vector<std::string>& headers,
                         const std::vector<std::vector<std::string>>& rows) {
@@ -24,7 +31,7 @@ std::string words_table(const std::string& caption, const std::vector<std::strin
       "<thead><tr>",
       html_escaped(caption));
   for (const std::string& header : headers)
-    text += fmt::format("<th scope=\"col\">{}</th>", html_escaped(header));
+    text += fmt::format("<th scope=\"col\">{}</th>", breakable(html_escaped(header)));
   text += "</tr></thead>\n<tbody>\n";
   for (const std::vector<std::string>& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i)

@@ -96,13 +96,25 @@ std::vector<int> ReportView::widths(const Series& series) const {
   return {widths.begin(), widths.end()};
 }
 
-std::vector<const RunRecord*> ReportView::runs(const Series& series, int width) const {
+bool ReportView::was_run_on(const Series& series, const std::string& scene) const {
+  const auto first = runs_.lower_bound({series, scene, 0});
+  return first != runs_.end() && first->first.series == series && first->first.scene == scene;
+}
+
+std::vector<std::string> ReportView::missing_scenes(const Series& series) const {
+  std::vector<std::string> missing;
   const RunRecord* const any = find_any(series);
-  if (!any) return {};
+  if (!any) return scenes_;
   const auto& of_work = scenes_of_work_.at(any->workload);
+  for (const std::string& scene : scenes_)
+    if (of_work.contains(scene) && !was_run_on(series, scene)) missing.push_back(scene);
+  return missing;
+}
+
+std::vector<const RunRecord*> ReportView::runs(const Series& series, int width) const {
   std::vector<const RunRecord*> runs;
   for (const std::string& scene : scenes_) {
-    if (!of_work.contains(scene)) continue;
+    if (!was_run_on(series, scene)) continue;
     const RunRecord* const run = find(series, scene, width);
     if (!run) return {};
     runs.push_back(run);

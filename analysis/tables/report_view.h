@@ -58,8 +58,11 @@ class ReportView {
   /// Widths of the series in the report, ascending.
   std::vector<int> widths(const Series& series) const;
 
-  /// The runs that a mean is over: of each scene of the series's kind of work. None at all if a
-  /// scene lacks its run.
+  /// The scenes of the series's kind of work that it was not run on at any width.
+  std::vector<std::string> missing_scenes(const Series& series) const;
+
+  /// The runs that a mean is over: of each scene that the series was run on. None at all if one of
+  /// them lacks the run at this width.
   std::vector<const RunRecord*> runs(const Series& series, int width) const;
 
   /// Arithmetic mean of the figure over the scenes. None if a scene lacks the run or the figure is
@@ -67,6 +70,8 @@ class ReportView {
   std::optional<double> mean(const Series& series, int width, const RunFigure& figure) const;
 
  private:
+  bool was_run_on(const Series& series, const std::string& scene) const;
+
   struct Place {
     Series series;
     std::string scene;

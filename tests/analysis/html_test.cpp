@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "analysis/base/files.h"
 #include "analysis/html/groups.h"
 #include "analysis/html/markup.h"
+#include "analysis/html/packed.h"
 #include "analysis/html/page.h"
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
 #include "analysis/html/table_html.h"
 #include "analysis/pictures/image.h"
+#include "analysis/tables/means.h"
 #include "simulator/base/error.h"
 #include "tests/analysis/sample_report.h"
 #include "tests/scratch_directory.h"
@@ -47,6 +50,21 @@ TEST(HtmlMarkup, Base64AsInRfc4648) {
   EXPECT_EQ(base64("foo"), "Zm9v");
   EXPECT_EQ(base64("foob"), "Zm9vYg==");
   EXPECT_EQ(base64(std::string_view("\xff\x00\xfe", 3)), "/wD+");
+}
+
+TEST(HtmlMarkup, PackedIsSmallAndLeavesOutNothing) {
+  EXPECT_EQ(packed("").rfind("eN", 0), 0u);  // The header of zlib at its best compression.
+  EXPECT_LT(packed(std::string(100'000, 'a')).size(), 500u);
+  EXPECT_NE(packed("a"), packed("b"));
+}
+
+TEST(HtmlDataFrame, TakesTheRowsOfAnotherWithTheSameColumns) {
+  DataFrame frame({{"stage", "Stage", ""}});
+  frame.add({"Bound"});
+  DataFrame other = frame;
+  other.append(frame);
+  EXPECT_EQ(other.rows().size(), 2u);
+  EXPECT_THROW(other.append(DataFrame({{"kernel", "Kernel", ""}})), CheckError);
 }
 
 TEST(HtmlDataFrame, IsWrittenByColumns) {
@@ -264,13 +282,20 @@ TEST(HtmlCharts, OfManyWidthsHaveRoomForTheirLabels) {
   EXPECT_EQ(few_widths({3, 5, 7}), (std::vector<int>{3, 5, 7}));
 }
 
-TEST(HtmlCharts, NothingToChooseIsNotShown) {
-  EXPECT_FALSE(choice("pick", "Kind", Json::array({""}), "").contains("bind"));
-  EXPECT_TRUE(choice("pick", "Kind", Json::array({"a"}), "a").contains("bind"));
+TEST(HtmlCharts, PickColumnsOfTheirRows) {
+  const Report report = sample_report();
+  for (const Section* section : sections())
+    for (const Block& block : section->build(two_scenes(report)))
+      if (const Chart* chart = std::get_if<Chart>(&block)) {
+        for (const Pick& pick : chart->picks)
+          EXPECT_TRUE(std::any_of(chart->rows.columns().begin(), chart->rows.columns().end(),
+                                  [&](const DataColumn& c) { return c.name == pick.column; }))
+              << section->id << ' ' << chart->id << ' ' << pick.column;
+      }
 }
 
 TEST(HtmlCharts, StagesHaveOneColourEverywhere) {
-  std::set<std::string> colours;
+  std::map<std::string, std::set<std::string>> colours;
   const Report report = sample_report();
   for (const Section* section : sections())
     for (const Block& block : section->build(two_scenes(report)))
@@ -278,11 +303,14 @@ TEST(HtmlCharts, StagesHaveOneColourEverywhere) {
         const Json flat = chart->spec.flatten();
         for (const auto& [path, value] : flat.items())
           if (value == "stage" && path.ends_with("/color/field")) {
-            const Json::json_pointer scale(path.substr(0, path.size() - 5) + "scale");
-            colours.insert(chart->spec.at(scale).dump());
+            const Json::json_pointer at(path.substr(0, path.size() - 5) + "scale");
+            const Json& scale = chart->spec.at(at);
+            for (std::size_t i = 0; i < scale["domain"].size(); ++i)
+              colours[scale["domain"][i]].insert(scale["range"][i]);
           }
       }
-  EXPECT_EQ(colours.size(), 1u);
+  EXPECT_GT(colours.size(), 3u);
+  for (const auto& [stage, of_stage] : colours) EXPECT_EQ(of_stage.size(), 1u) << stage;
 }
 
 TEST(HtmlTable, HasHeadingsForColumnsAndRows) {
@@ -307,28 +335,111 @@ std::size_t count(std::string_view text, std::string_view part) {
 /// The general page.
 PagePlan general_plan(const Report&) { return {sections(), {"ballroll", "columnpivot"}}; }
 
-TEST(HtmlPage, HasASectionForEachOfThePlan) {
+/// The headings of a page, by their ids.
+std::vector<std::string> headings(std::string_view page) {
+  constexpr std::string_view kOpen = "<h2 id=\"";
+  std::vector<std::string> ids;
+  for (std::size_t at = page.find(kOpen); at != page.npos; at = page.find(kOpen, at + 1)) {
+    const std::size_t begin = at + kOpen.size();
+    ids.emplace_back(page.substr(begin, page.find('"', begin) - begin));
+  }
+  return ids;
+}
+
+TEST(HtmlPage, BeginsWithTheAnswerAndEndsWithWhatWasRun) {
   const std::string page = report_page({{"a.json", sample_report()}}, ".", general_plan);
-  for (const Section* section : sections())
-    EXPECT_EQ(count(page, fmt::format("<h2 id=\"{}\">", section->id)), 1u) << section->id;
+  const std::vector<std::string> ids = headings(page);
+  ASSERT_GT(ids.size(), 6u);
+  EXPECT_EQ(ids[0], "answer");
+  EXPECT_EQ(ids[1], "frames");
+  EXPECT_EQ(ids[2], "headline");
+  EXPECT_EQ(ids[ids.size() - 2], "runs");
+  EXPECT_EQ(ids.back(), "downloads");
   EXPECT_EQ(page.find("<h3"), page.npos);
   EXPECT_NE(page.find("mean of ballroll, columnpivot"), page.npos);
   EXPECT_EQ(page.find("mean of ballroll, columnpivot, teapot"), page.npos);
+}
+
+TEST(HtmlPage, EachSectionOfThePlanIsThereOrSaidToHaveNoFigures) {
+  const std::string page = report_page({{"a.json", sample_report()}}, ".", general_plan);
+  const std::size_t note = page.find("The reports have no figures for: ");
+  for (const Section* section : sections())
+    EXPECT_EQ(count(page, fmt::format("<h2 id=\"{}\">", section->id)),
+              page.find(section->title, note) == page.npos ? 1u : 0u)
+        << section->id;
+}
+
+TEST(HtmlPage, AnswersWhichKernelIsAheadWhere) {
+  const Report report = sample_report();
+  const std::string page = report_page({{"a.json", report}}, ".", general_plan);
+  // LOCKSTEP's 102 and REPACK's instructions for 2 micropolygons, all stages.
+  const ReportView view = two_scenes(report);
+  const double lockstep = *mean_instructions(view, {"lockstep", "triangle"}, 8);
+  const double repack = *mean_instructions(view, {"repack", "triangle"}, 8);
+  const std::string ahead = lockstep < repack ? "LOCKSTEP" : "REPACK";
+  EXPECT_NE(page.find(fmt::format("At W = 8 and micropolygon = triangle, {} is ahead: it needs "
+                                  "{:.2f} instructions for each micropolygon",
+                                  ahead, std::min(lockstep, repack))),
+            page.npos);
+  EXPECT_NE(page.find(fmt::format("<td><b>{}</b> {:.2f}<br>", ahead, std::min(lockstep, repack))),
+            page.npos);
+}
+
+TEST(HtmlPage, AKernelThatLacksASceneHasAMeanOfTheOthersAndSaysSo) {
+  Report report = sample_report();
+  std::erase_if(report.runs, [](const RunRecord& run) {
+    return run.configuration.kernel == "repack" && run.configuration.scene == "ballroll";
+  });
+  const ReportView view = two_scenes(report);
+  const Series repack{"repack", "triangle"};
+  EXPECT_EQ(view.missing_scenes(repack), std::vector<std::string>{"ballroll"});
+  EXPECT_TRUE(view.missing_scenes({"lockstep", "triangle"}).empty());
+  EXPECT_EQ(mean_instructions(view, repack, 8),
+            mean_instructions(ReportView(report, "columnpivot"), repack, 8));
+  const std::string page = report_page({{"a.json", report}}, ".", general_plan);
+  EXPECT_NE(page.find("REPACK, micropolygon = triangle was not run on ballroll"), page.npos);
 }
 
 TEST(HtmlPage, NamesScenesWithTheirWork) {
   const std::string page = report_page({{"a.json", sample_report()}}, ".", general_plan);
   for (const char* part : {"<th scope=\"row\">ballroll, frame = 0</th>"
                            "<td>micropolygon = quad</td><td>0x0123456789abcdef</td><td>3</td>",
-                           "<th scope=\"col\">patches_culled</th>"})
+                           "<th scope=\"col\">patches_<wbr>culled</th>"})
     EXPECT_NE(page.find(part), page.npos) << part;
 }
 
-TEST(HtmlPage, HasTheSectionsOfEachSettingBelowIt) {
+TEST(HtmlPage, HasOneCopyOfEachSectionAndControlsForTheSetting) {
+  const std::string one = report_page({{"a", sample_at(4)}}, ".", general_plan);
   const std::string page =
-      report_page({{"a", sample_at(4)}, {"b", sample_at(16)}}, ".", general_plan);
-  EXPECT_EQ(count(page, "<h2 id=\"setting-2\">samples_per_pixel = 16</h2>"), 1u);
-  EXPECT_EQ(count(page, "<h3 id=\"setting-2-utilization\">"), 1u);
+      report_page({{"a", sample_at(1)}, {"b", sample_at(4)}}, ".", general_plan);
+  EXPECT_EQ(count(one, "<form id=\"setting\">"), 0u);
+  EXPECT_EQ(count(page,
+                  "<select name=\"samples_per_pixel\"><option>1</option>"
+                  "<option selected>4</option></select>"),
+            1u);  // The default is first.
+  std::vector<std::string> ids = headings(page);
+  EXPECT_EQ(std::erase(ids, "over-samples_per_pixel"), 1u);
+  EXPECT_EQ(ids, headings(one));
+}
+
+TEST(HtmlPage, OfAnotherSettingIsSmallerThanAPageOfItsOwn) {
+  const std::string one = report_page({{"a", sample_at(4)}}, ".", general_plan);
+  std::vector<NamedReport> sources;
+  for (const std::uint64_t samples : {1, 4, 9, 16})
+    sources.push_back({fmt::format("{}.json", samples), sample_at(samples)});
+  const std::string page = report_page(sources, ".", general_plan);
+  EXPECT_LT(page.size(), one.size() + 100'000);
+}
+
+TEST(HtmlPage, SaysAtWhichSettingAKernelNeedsFewest) {
+  Report report = at_two_thresholds();
+  for (RunRecord& run : report.runs)
+    if (value_of(run.configuration, "stream_load_threshold") == Value(0.5f))
+      for (StageRecord& stage : run.stages)
+        for (InstructionRecord& counts : stage.instructions) counts.issued /= 2;
+  const std::string page = report_page({{"a", report}}, ".", general_plan);
+  EXPECT_NE(page.find("</b> at 0.5<br>"), page.npos);
+  EXPECT_EQ(page.find("</b> at 0<br>"), page.npos);
 }
 
 TEST(HtmlPage, StringsOfTheReportAreHarmless) {
@@ -366,15 +477,20 @@ TEST(HtmlPage, RefusesReportsWithoutRuns) {
   EXPECT_THROW(report_page({{"a.json", Report{}}}, ".", general_plan), InputError);
 }
 
-TEST(HtmlPage, ReportsWithoutCountsSaySo) {
+TEST(HtmlPage, ReportsWithoutCountsSaySoAndHaveTimes) {
   Report report = sample_report();
   for (RunRecord& run : report.runs) {
     run.stages.clear();
     run.counters.clear();
+    run.source_lines.clear();
   }
+  report.timing.kernel_ms.assign(report.runs.size(), 12.25);
   const std::string page = report_page({{"a.json", report}}, ".", general_plan);
   EXPECT_EQ(count(page, "<figure class=\"chart\""), 0u);
-  EXPECT_GT(count(page, "The reports have no such figures"), 5u);
+  EXPECT_EQ(count(page, "These runs counted nothing"), 1u);
+  EXPECT_EQ(count(page, "<td>12.2</td>"), report.runs.size());
+  EXPECT_EQ(count(page, "The reports have no figures for: "), 1u);
+  EXPECT_EQ(headings(page), (std::vector<std::string>{"answer", "frames", "runs", "downloads"}));
 }
 
 TEST(HtmlPictures, ArePngFilesReadBack) {

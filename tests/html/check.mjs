@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // node check.mjs PAGE [--pictures DIR]
 //
-// Opens a page of `lanescope report` in a headless Chromium, light and dark, and checks that it
-// draws every chart and fills every table without an error and without a request to anywhere. Says
+// Opens a page of `lanescope report` in a headless Chromium, light and dark, narrow and wide, and
+// checks that it begins with the answer, draws every chart and fills every table in letters that can
+// be read, without an error and without a request to anywhere, and that it prints its tables. Says
 // how long drawing took. With --pictures, writes PNG files and a PDF of the page.
 import {writeFileSync} from "node:fs";
 import {resolve} from "node:path";
@@ -23,15 +24,36 @@ function expect(holds, complaint) {
 }
 
 // Runs within the page: what there is to be seen of it.
-function survey() {
-  const charts = [...document.querySelectorAll("figure.chart")].map((figure) => {
+async function survey() {
+  const unpackedText = async (script) => {
+    const bytes = Uint8Array.from(atob(script.textContent), (digit) => digit.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+    return new Response(stream).text();
+  };
+  // What is neither a form of the values that were picked nor of the setting is not shown.
+  const shownRows = (pack, figure) => {
+    const setting = Number(document.body.dataset.setting);
+    const {drawing, frame, from, to} = pack.settings[pack.settings.length > 1 ? setting : 0];
+    const picked = [...figure.querySelectorAll(".picks label")].map((label) =>
+      label.querySelector("select")?.value ?? label.querySelector("b").textContent);
+    const columns = pack.drawings[drawing].picks
+      .map(({column}) => pack.frames[frame].columns.find(({name}) => name === column))
+      .map(({words, values}) => (row) => String(words.length ? words[values[row]] : values[row]))
+      .filter((at) => at(from) !== "");
+    let count = 0;
+    for (let row = from; row < to; ++row)
+      count += columns.every((at, place) => at(row) === picked[place]);
+    return count;
+  };
+  const charts = [];
+  for (const figure of document.querySelectorAll("figure.chart:not(.without)")) {
     const svg = figure.querySelector(".drawing svg");
     const details = figure.querySelector("details.numbers");
     details.open = true;
     details.dispatchEvent(new Event("toggle"));
     const text = svg?.querySelector(".role-axis-label text");
-    const {rows} = JSON.parse(figure.querySelector("script").textContent).data;
-    const found = {
+    const pack = JSON.parse(await unpackedText(figure.querySelector("script.packed")));
+    charts.push({
       id: figure.id,
       drawn: figure.dataset.drawn,
       marks: svg?.querySelectorAll(".role-mark path, .role-mark line, .role-mark text").length ?? 0,
@@ -39,19 +61,31 @@ function survey() {
         ?.getAttribute("aria-label")?.length > 10,
       width: svg?.getBoundingClientRect().width ?? 0,
       height: svg?.getBoundingClientRect().height ?? 0,
+      // Letters on the screen over letters as they were drawn.
+      scale: svg ? svg.getBoundingClientRect().width / svg.viewBox.baseVal.width : 0,
       ink: text ? getComputedStyle(text).fill : "",
       labelledSelects: [...figure.querySelectorAll("select")].every((s) => s.closest("label")),
-      rows,
+      legend: [...(svg?.querySelectorAll(".role-legend-label text") ?? [])]
+        .map((label) => label.textContent),
+      rows: shownRows(pack, figure),
       tableRows: details.querySelectorAll("tbody tr").length,
       caption: details.querySelector("caption")?.textContent ?? "",
       columnHeadings: details.querySelectorAll("thead th[scope=col]").length,
-    };
+    });
     details.open = false;
-    return found;
-  });
+  }
+  const downloads = [];
+  for (const link of document.querySelectorAll("a.download"))
+    downloads.push({
+      file: link.download,
+      text: (await unpackedText(link.parentElement.querySelector("script.packed"))).slice(0, 100),
+    });
   const ids = [...document.querySelectorAll("[id]")].map((e) => e.id);
   return {
     charts,
+    downloads,
+    sections: [...document.querySelectorAll("main h2")].map((heading) => heading.id),
+    answer: document.querySelector("#answer").parentElement.querySelector("td")?.textContent,
     drawMs: window.lanescope?.drawMs,
     marked: performance.getEntriesByName("lanescope-drawn").length,
     headings: [...document.querySelectorAll("h1,h2,h3,h4")].map((h) => Number(h.tagName[1])),
@@ -68,25 +102,44 @@ function survey() {
   };
 }
 
-// Runs within the page: makes another choice beside each chart and waits for what it draws.
-async function choose() {
-  const drawings = () => [...document.querySelectorAll("figure.chart")]
-    .filter((figure) => [...figure.querySelectorAll("select")].some((s) => s.options.length > 1))
+// Runs within the page: picks something else beside each chart, or another setting, and waits for
+// what it draws; the ids of charts that stay as they were.
+async function pick(selector) {
+  // Charts over all settings stay as they are when another setting is picked.
+  const figures = selector.startsWith("#setting") ? "figure.chart:not(.without, [id^=over-])"
+                                                  : "figure.chart:has(select)";
+  const drawings = () => [...document.querySelectorAll(figures)]
     .map((figure) => ({id: figure.id, svg: figure.querySelector("svg").outerHTML}));
   const before = drawings();
-  for (const select of document.querySelectorAll("figure.chart select")) {
+  for (const select of document.querySelectorAll(selector)) {
     select.selectedIndex = (select.selectedIndex + 1) % select.options.length;
     select.dispatchEvent(new Event("change", {bubbles: true}));
   }
-  const same = () => drawings().filter(({svg}, place) => svg === before[place].svg);
+  const same = () => drawings().filter(({id, svg}) =>
+    svg === before.find((other) => other.id === id)?.svg);
   for (let waited = 0; same().length > 0 && waited < 10000; waited += 100)
     await new Promise((wake) => setTimeout(wake, 100));
   return same().map(({id}) => id);
 }
 
+// Runs within the page: which details are open while it is printed, by their summaries.
+function watchPrinting() {
+  window.addEventListener("beforeprint", () => {
+    const details = [...document.querySelectorAll("details:not(.drawing *)")];
+    window.openOnPaper = details.map((d) => [d.querySelector("summary").textContent, d.open]);
+  });
+}
+
 function checkSurvey(seen, scheme) {
   const about = (text) => `${scheme}: ${text}`;
   expect(seen.charts.length > 0, about("has no charts"));
+  expect(seen.sections[0] === "answer" && /\d/.test(seen.answer),
+         about(`begins with ${seen.sections[0]}, which says ${seen.answer}`));
+  expect(seen.sections.slice(-2).join() === "runs,downloads", about("does not end with the runs"));
+  expect(seen.downloads.some(({text}) => text.includes('"lanescope-report"')),
+         about("has no report to save"));
+  expect(seen.downloads.filter(({file}) => file.endsWith(".csv"))
+    .every(({text}) => text.split(",").length > 3), about("has no CSV to save"));
   expect(seen.drawMs > 0 && seen.marked === 1, about("does not say how long drawing took"));
   expect(seen.lang === "en", about("has no language"));
   expect(seen.repeatedIds.length === 0, about(`has ids twice: ${seen.repeatedIds}`));
@@ -105,6 +158,7 @@ function checkSurvey(seen, scheme) {
     expect(chart.marks > 0, of("is empty"));
     expect(chart.width > 100 && chart.height > 50, of(`is ${chart.width} x ${chart.height} px`));
     expect(chart.described, of("has no description"));
+    expect(Math.abs(chart.scale - 1) < 0.01, of(`is drawn at a scale of ${chart.scale}`));
     expect(chart.labelledSelects, of("has a choice without a label"));
     expect(chart.ink === seen.ink, of(`has labels in ${chart.ink}, the page in ${seen.ink}`));
     expect(chart.rows > 0 && chart.tableRows === chart.rows,
@@ -135,6 +189,15 @@ async function takePictures(page, scheme) {
   writeFileSync(`${options.pictures}/${scheme}.pdf`, Buffer.from(pdf, "base64"));
 }
 
+async function open(page, width, scheme) {
+  await page.send("Emulation.setDeviceMetricsOverride",
+                  {width, height: 800, deviceScaleFactor: 1, mobile: false});
+  await page.send("Emulation.setEmulatedMedia",
+                  {features: [{name: "prefers-color-scheme", value: scheme}]});
+  await page.send("Page.navigate", {url: pathToFileURL(resolve(path)).href});
+  await drawn(page);
+}
+
 async function checkScheme(browser, scheme) {
   const page = await browser.newPage();
   browser.onEvent(({method, params, sessionId}) => {
@@ -149,25 +212,40 @@ async function checkScheme(browser, scheme) {
       failures.push(`${scheme}: asks for ${params.request.url}`);
   });
   for (const domain of ["Page", "Runtime", "Log", "Network"]) await page.send(`${domain}.enable`);
-  await page.send("Emulation.setDeviceMetricsOverride",
-                  {width: 1280, height: 800, deviceScaleFactor: 1, mobile: false});
-  await page.send("Emulation.setEmulatedMedia",
-                  {features: [{name: "prefers-color-scheme", value: scheme}]});
-  await page.send("Page.navigate", {url: pathToFileURL(resolve(path)).href});
-  await drawn(page);
+  await open(page, 1280, scheme);
   const seen = await page.evaluate(`(${survey})()`);
   checkSurvey(seen, scheme);
   console.log(`${scheme}: ${seen.charts.length} charts drawn in ${Math.round(seen.drawMs)} ms`);
   if (options.pictures) await takePictures(page, scheme);
-  const unmoved = await page.evaluate(`(${choose})()`);
-  expect(unmoved.length === 0, `${scheme}: a choice does not change ${unmoved}`);
+  const unmoved = await page.evaluate(`(${pick})("figure.chart select")`);
+  expect(unmoved.length === 0, `${scheme}: a pick does not change ${unmoved}`);
+  if (await page.evaluate("!!document.querySelector('#setting')")) {
+    const kept = await page.evaluate(`(${pick})("#setting select")`);
+    expect(kept.length === 0, `${scheme}: another setting does not change ${kept}`);
+  }
   return seen;
+}
+
+async function checkWindow(browser, width) {
+  const page = await browser.newPage();
+  await open(page, width, "light");
+  checkSurvey(await page.evaluate(`(${survey})()`), `${width} px`);
+  await page.evaluate(`(${watchPrinting})()`);
+  await page.send("Page.printToPDF", {});
+  for (const [summary, isOpen] of await page.evaluate("window.openOnPaper ?? []")) {
+    const isFigures = !/^(Numbers|Libraries)/.test(summary);
+    expect(isOpen === isFigures,
+           `${width} px: "${summary}" is ${isOpen ? "open" : "closed"} on paper`);
+  }
+  expect(await page.evaluate("!!window.openOnPaper && !document.querySelector('details[open]:not(.drawing *)')"),
+         `${width} px: stays open after it was printed`);
 }
 
 const browser = new Browser(options.chromium);
 try {
   const light = await checkScheme(browser, "light");
   const dark = await checkScheme(browser, "dark");
+  for (const width of [400, 1400]) await checkWindow(browser, width);
   expect(light.ink !== dark.ink && light.paper !== dark.paper, "light and dark look the same");
 } finally {
   await browser.close();

@@ -4,33 +4,89 @@
 #include <algorithm>
 
 #include "analysis/annotation/annotation.h"
-#include "analysis/html/markup.h"
+#include "analysis/annotation/sources.h"
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
-#include "analysis/html/table_html.h"
 
 namespace lanescope {
 namespace {
 
-constexpr std::size_t kLines = 200;
+constexpr std::size_t kLines = 200;      ///< In the table.
+constexpr std::size_t kCharacters = 90;  ///< Of a line of source beside its bar.
+
+/// The name of a file without its folders: bars have little room.
+std::string place_of(const AnnotatedLine& line) {
+  return fmt::format("{}:{}", line.file.substr(line.file.rfind('/') + 1), line.line);
+}
+
+/// The stage that a bar has the colour of: the first of those that share the line.
+std::string stage_of(const AnnotatedLine& line) {
+  return line.stages.substr(0, line.stages.find(','));
+}
+
+/// Without the white space before it.
+std::string source_of(const AnnotatedLine& line) {
+  std::string_view text = source_line(line.file, line.line);
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  if (text.size() <= kCharacters) return std::string(text);
+  return std::string(text.substr(0, kCharacters)) + "...";
+}
+
+DataFrame rows(const ReportView& view) {
+  DataFrame frame(series_columns({{"rank", "Rank", ""},
+                                  {"file", "Line", ""},
+                                  {"place", "Short", ""},
+                                  {"stage", "Stage", ""},
+                                  {"share", "Share", ".2%"},
+                                  {"utilization", "Utilization", ".1%"},
+                                  {"source", "Source", ""}}));
+  for (const Annotation& annotation : annotate(view.report())) {
+    const Series series{annotation.kernel, annotation.facet};
+    for (std::size_t i = 0; i < std::min(kLines, annotation.lines.size()); ++i) {
+      const AnnotatedLine& line = annotation.lines[i];
+      frame.add({shown_kernel(series.kernel), shown_facet(series), annotation.width, i + 1,
+                 fmt::format("{}:{}", line.file, line.line), place_of(line), stage_of(line),
+                 number_or_null(annotation.share(line).value()),
+                 number_or_null(annotation.utilization(line).value()), source_of(line)});
+    }
+  }
+  return frame;
+}
 
 std::vector<Block> build(const ReportView& view) {
-  const std::vector<int> widths = few_widths(widths_of(view.report()));
-  std::string html;
-  for (const Annotation& annotation : annotate(view.report())) {
-    if (std::find(widths.begin(), widths.end(), annotation.width) == widths.end()) continue;
-    html += fmt::format("<details><summary>{}</summary>\n{}</details>\n",
-                        html_escaped(annotation.title()),
-                        table_html(hottest_lines(annotation, kLines)));
-  }
-  if (html.empty()) return {};
-  return {Markup{html}};
+  constexpr std::string_view kSpec = R"json({
+    "transform": [{"filter": "datum.rank <= 20"}],
+    "width": 330, "height": {"step": 20},
+    "encoding": {
+      "y": {"field": "place", "type": "nominal", "title": null,
+            "sort": {"field": "rank", "op": "min"}, "axis": {"labelLimit": 220}},
+      "x": {"field": "share", "type": "quantitative", "title": "Share of the instructions",
+            "axis": {"format": "%", "tickCount": 5}}},
+    "layer": [
+      {"mark": "bar", "encoding": {"color": "@stage"}},
+      {"mark": {"type": "text", "align": "left", "x": 336, "fill": "currentColor",
+                "font": "ui-monospace, 'Liberation Mono', monospace", "fontSize": 11,
+                "limit": 430},
+       "encoding": {"x": null, "text": {"field": "source"}}}]
+  })json";
+  DataFrame lines = rows(view);
+  if (lines.empty()) return {};
+  auto spec = spec_from(kSpec, view.report());
+  spec["layer"][0]["encoding"]["color"]["legend"] = {{"orient", "top"}};  // The source is beside.
+  return {
+      Chart{"lines",
+            "The 20 lines of source that issue most, over the pieces of work that were "
+            "observed, of all scenes; a bar has the colour of the first stage that issues there. "
+            "The numbers have 200 lines.",
+            std::move(spec),
+            std::move(lines),
+            {pick_of_kernel(), pick_of_facet(), pick_of_lanes(view.report())}}};
 }
 
 }  // namespace
 
 extern const Section s_hot_lines{
-    "hot-lines", "Hottest lines of source",
-    "The lines of the kernels that issue most, over the pieces of work that were observed.", build};
+    "hot-lines", "Costliest lines of source",
+    "Where in the kernels most instructions are issued: what to look at first.", build};
 
 }  // namespace lanescope

@@ -33,8 +33,6 @@ DataFrame rows(const Report& report, const LaneChart& chart) {
 std::vector<Block> lane_chart(const ReportView& view, const LaneChart& chart) {
   constexpr std::string_view kSpec = R"json({
     "transform": [
-      {"filter": "datum.scene == pick_scene && datum.facet == pick_facet"},
-      {"filter": "datum.lanes == pick_lanes"},
       {"calculate": "datum.place - 0.5", "as": "left"},
       {"calculate": "datum.place + 0.5", "as": "right"}],
     "facet": {
@@ -57,9 +55,11 @@ std::vector<Block> lane_chart(const ReportView& view, const LaneChart& chart) {
   encoding["x"]["title"] = chart.place_title;
   encoding["y"]["title"] = kShareTitle;
   encoding["color"]["legend"] = nullptr;  // The headings say it.
-  spec["params"] = {choice("pick_scene", "Scene", scenes_of(report), view.scenes().front()),
-                    choice_of_facet(report), choice_of_lanes(report)};
-  return {Chart{"panels", chart.caption, std::move(spec), rows(report, chart)}};
+  return {Chart{"panels",
+                chart.caption,
+                std::move(spec),
+                rows(report, chart),
+                {{"scene", view.scenes().front()}, pick_of_facet(), pick_of_lanes(report)}}};
 }
 
 }  // namespace lanescope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Charts of the lanes of a stage: one scene, facet and W at a time, chosen beside the chart; a
+// Charts of the lanes of a stage: one scene, facet and W at a time, picked beside the chart; a
 // panel for each kernel and stage.
 #pragma once
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <map>
+
 #include "analysis/html/markup.h"
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
@@ -57,24 +59,28 @@ DataFrame histograms(const ReportView& view) {
   return frame;
 }
 
-std::string observed_note(const Report& report) {
+/// Of the scenes of the view, each piece of work once: runs of a scene have the same.
+std::string observed_note(const ReportView& view) {
+  std::map<std::uint64_t, const SourceRecord*> sources;
+  for (const Series& series : series_of(view.report()))
+    for (const int width : view.widths(series))
+      for (const RunRecord* run : view.runs(series, width))
+        sources.emplace(run->source.hash, &run->source);
   std::uint64_t pieces = 0, observed = 0;
-  for (const RunRecord& run : report.runs) {
-    pieces += run.source.pieces;
-    observed += run.source.pieces_observed;
+  for (const auto& [_, source] : sources) {
+    pieces += source->pieces;
+    observed += source->pieces_observed;
   }
   return fmt::format(
-      "<p class=\"note\">Seen in {} of {} pieces of work, which were observed (observe_every); the "
-      "other sections count all of them. A line has 64 bytes. A conflict is a lane that stores to "
-      "an "
+      "<p class=\"note\">Observed in {} of the {} pieces of work of {} (observe_every); the other "
+      "sections count all of them. A line has 64 bytes. A conflict is a lane that stores to an "
       "element that an earlier lane of the same execution stored to.</p>\n",
-      observed, pieces);
+      observed, pieces, html_escaped(shown_scenes(view)));
 }
 
 std::vector<Block> build(const ReportView& view) {
   constexpr std::string_view kMeans = R"json({
     "transform": [
-      {"filter": "datum.facet == pick_facet"},
       {"calculate": "datum.stage + ': ' + datum.mnemonic", "as": "place"}],
     "facet": {"field": "place", "title": null},
     "columns": 4,
@@ -91,8 +97,6 @@ std::vector<Block> build(const ReportView& view) {
   })json";
   constexpr std::string_view kHistograms = R"json({
     "transform": [
-      {"filter": "datum.kernel == pick_kernel && datum.facet == pick_facet"},
-      {"filter": "datum.lanes == pick_lanes"},
       {"calculate": "datum.stage + ': ' + datum.mnemonic", "as": "place"},
       {"calculate": "datum.lines - 0.5", "as": "left"},
       {"calculate": "datum.lines + 0.5", "as": "right"}],
@@ -113,24 +117,27 @@ std::vector<Block> build(const ReportView& view) {
         "color": "@stage"}}
   })json";
   const Report& report = view.report();
+  DataFrame mean_rows = means(view);
+  if (mean_rows.empty()) return {};
   std::vector<std::string> names;
   for (const MemoryPlace& place : places_of(report)) names.push_back(place.name());
   auto means_spec = spec_from(kMeans, report);
-  means_spec["params"] = {choice_of_facet(report)};
   if (auto& line = means_spec["spec"]; line["mark"]["point"] == false)
     line["encoding"].erase("shape");
   auto histogram_spec = spec_from(kHistograms, report);
-  histogram_spec["params"] = {choice_of_kernel(report), choice_of_facet(report),
-                              choice_of_lanes(report)};
   means_spec["facet"]["sort"] = histogram_spec["facet"]["sort"] = names;
-  return {Markup{observed_note(report)},
+  return {Markup{observed_note(view)},
           Chart{"means",
                 "Distinct lines that one execution of a memory instruction touches, " +
                     view.caption() + ". The table has conflicts of scatters, too.",
-                std::move(means_spec), means(view)},
+                std::move(means_spec),
+                std::move(mean_rows),
+                {pick_of_facet()}},
           Chart{"histograms",
                 "Share of the executions that touched so many lines, " + view.caption() + ".",
-                std::move(histogram_spec), histograms(view)}};
+                std::move(histogram_spec),
+                histograms(view),
+                {pick_of_kernel(), pick_of_facet(), pick_of_lanes(report)}}};
 }
 
 }  // namespace

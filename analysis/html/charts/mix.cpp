@@ -45,7 +45,6 @@ DataFrame rows(const ReportView& view, const std::string& title, const Instructi
 
 nlohmann::ordered_json spec(const ReportView& view) {
   constexpr std::string_view kPanel = R"json({
-    "transform": [{"filter": "datum.facet == pick_facet && datum.lanes == pick_lanes"}],
     "width": 270, "height": {"step": 17},
     "mark": "bar",
     "encoding": {
@@ -61,20 +60,20 @@ nlohmann::ordered_json spec(const ReportView& view) {
     panel["encoding"]["x"]["title"] = "Instructions per " + element_of(report).name;
     panels.push_back(std::move(panel));
   }
-  return {{"params", {choice_of_facet(report), choice_of_lanes(report)}},
-          {"concat", std::move(panels)},
-          {"columns", 2}};
+  return {
+      {"concat", std::move(panels)}, {"columns", 2}, {"resolve", {{"scale", {{"x", "shared"}}}}}};
 }
 
 std::vector<Block> build(const ReportView& view) {
   const InstructionName mnemonic_of = [](const InstructionRecord& counts) {
     return counts.mnemonic;
   };
+  const std::vector<Pick> picks{pick_of_facet(), pick_of_lanes(view.report())};
   return {Chart{"classes", "Instructions by class and stage, " + view.caption() + ".", spec(view),
-                rows(view, "Class", class_in(view.report()))},
+                rows(view, "Class", class_in(view.report())), picks},
           Chart{"mnemonics",
                 "The 20 instructions that are issued most, by stage, " + view.caption() + ".",
-                spec(view), rows(view, "Instruction", mnemonic_of)}};
+                spec(view), rows(view, "Instruction", mnemonic_of), picks}};
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ DataFrame rows(const ReportView& view, const Together& together) {
 }
 
 std::vector<Block> build(const ReportView& view) {
-  return utilization_chart(view, {{}, "All stages", "Dashed: all stages together."});
+  return utilization_chart(view, {{}, "All stages", ""});
 }
 
 }  // namespace
@@ -36,25 +36,29 @@ std::vector<Block> utilization_chart(const ReportView& view, const Together& tog
       "row": {"field": "facet", "title": null, "sort": "@facets"}},
     "spec": {
       "width": 330, "height": 230,
+      "mark": {"type": "line", "point": "@point"},
       "encoding": {
         "x": "@lanes",
         "y": {"field": "utilization", "type": "quantitative", "title": "Utilization",
-              "scale": {"domain": [0, 1]}, "axis": {"format": "%"}}},
-      "layer": [
-        {"mark": {"type": "line", "point": "@point"}, "encoding": {"color": "@stage"}},
-        {"mark": {"type": "line", "stroke": "currentColor", "strokeDash": [6, 4],
-                  "point": "@ink_point"}}
-      ]}
+              "scale": {"domain": [0, 1]}, "axis": {"format": "%"}},
+        "color": "@stage",
+        "strokeDash": {"field": "stage", "type": "nominal", "title": "Stage"}}}
   })json";
   auto spec = spec_from(kSpec, view.report());
-  auto& layers = spec["spec"]["layer"];
-  for (const auto& [layer, comparison] : {std::pair(0, "!="), std::pair(1, "==")})
-    layers[layer]["transform"] = {
-        {{"filter", fmt::format("datum.stage {} '{}'", comparison, together.name)}}};
-  if (auto& point = layers[1]["mark"]["point"]; point.is_object()) point["shape"] = "diamond";
+  auto& encoding = spec["spec"]["encoding"];
+  auto& colours = encoding["color"]["scale"];
+  auto dashes = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < colours["domain"].size(); ++i) dashes.push_back({1, 0});
+  colours["domain"].push_back(together.name);
+  colours["range"].push_back("currentColor");
+  dashes.push_back({6, 4});
+  encoding["strokeDash"]["scale"] = {{"domain", colours["domain"]}, {"range", std::move(dashes)}};
+  // A line says more of a dash than a point does.
+  for (const char* channel : {"color", "strokeDash"})
+    encoding[channel]["legend"] = {{"symbolType", "stroke"}, {"symbolSize", 400}};
   return {
       Chart{"lines",
-            fmt::format("Utilization of each stage over W, {}. {}", view.caption(), together.note),
+            fmt::format("Utilization of each stage over W, {}.{}", view.caption(), together.note),
             std::move(spec), rows(view, together)}};
 }
 

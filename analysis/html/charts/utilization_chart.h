@@ -14,7 +14,7 @@ namespace lanescope {
 struct Together {
   Stages stages;
   std::string name;  ///< Differs from those of stages; without quotation marks.
-  std::string note;  ///< A sentence for the caption.
+  std::string note;  ///< A sentence for the caption, after a space; or empty.
 };
 
 std::vector<Block> utilization_chart(const ReportView& view, const Together& together);

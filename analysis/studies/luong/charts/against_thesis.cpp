@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
 #include "analysis/studies/luong/study.h"
@@ -67,6 +70,19 @@ class Rows {
                     {"unit", "In", ""}}};
 };
 
+/// Differences up to here have half of the colours: most are.
+constexpr double kNear = 10.0;
+
+/// The largest difference either way, for the ends of the colours.
+double largest(const DataFrame& rows) {
+  double most = 5.0 * kNear;
+  for (const auto& row : rows.rows()) {
+    const auto& difference = row[row.size() - 2];
+    if (difference.is_number()) most = std::max(most, std::abs(difference.get<double>()));
+  }
+  return most;
+}
+
 /// A panel for each table that has a row, in the order of the rows.
 nlohmann::ordered_json spec(const Report& report, const DataFrame& rows) {
   constexpr std::string_view kPanel = R"json({
@@ -83,16 +99,23 @@ nlohmann::ordered_json spec(const Report& report, const DataFrame& rows) {
       {"mark": "rect",
        "encoding": {"color": {
          "field": "difference", "type": "quantitative", "title": "Ours - thesis",
-         "scale": {"domain": [-10, 0, 10], "clamp": true,
-                   "range": ["#e08214", "#f7f7f7", "#5e9fd4"]}}}},
-      {"mark": {"type": "text", "fontSize": 10, "fill": "#111"},
-       "encoding": {"text": {"field": "shown"}}}]
+         "scale": {"range": ["#6b3304", "#e8964a", "#f7f7f7", "#7db3de", "#143d66"]}}}},
+      {"mark": {"type": "text", "fontSize": 10},
+       "encoding": {
+         "text": {"field": "shown"},
+         "color": {"condition": {"test": "abs(datum.difference) > 25", "value": "#fff"},
+                   "value": "#111"}}}]
   })json";
   auto panels = nlohmann::ordered_json::array();
   std::string last;
+  const double most = largest(rows);
   for (const auto& row : rows.rows()) {
     const auto table = row.front().get<std::string>();
-    if (table != last) panels.push_back(panel_for(spec_from(kPanel, report), "table", table));
+    if (table != last) {
+      auto panel = spec_from(kPanel, report);
+      panel["layer"][0]["encoding"]["color"]["scale"]["domain"] = {-most, -kNear, 0.0, kNear, most};
+      panels.push_back(panel_for(std::move(panel), "table", table));
+    }
     last = table;
   }
   return {{"concat", std::move(panels)}, {"columns", 2}};

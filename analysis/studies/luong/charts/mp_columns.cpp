@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/studies/luong/charts/mp_columns.h"
 
-#include <algorithm>
-
-#include "analysis/html/spec.h"
-#include "analysis/studies/luong/figures.h"
-
 namespace lanescope::luong {
 
 std::vector<DataColumn> mp_columns(std::vector<DataColumn> others) {
@@ -15,13 +10,6 @@ std::vector<DataColumn> mp_columns(std::vector<DataColumn> others) {
   return columns;
 }
 
-nlohmann::ordered_json choice_of_mp(const Report& report) {
-  std::vector<std::string> plurals;
-  for (const Series& series : series_of(report))
-    if (const std::string shown = plural(series.facet);
-        std::find(plurals.begin(), plurals.end(), shown) == plurals.end())
-      plurals.push_back(shown);
-  return choice("pick_mp", "Micropolygons", plurals, plurals.front());
-}
+Pick pick_of_mp() { return {"micropolygon", nullptr}; }
 
 }  // namespace lanescope::luong

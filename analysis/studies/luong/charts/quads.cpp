@@ -41,25 +41,25 @@ DataFrame rows(const ReportView& view) {
 
 std::vector<Block> build(const ReportView& view) {
   constexpr std::string_view kSpec = R"json({
-    "transform": [
-      {"filter": "datum.kernel == pick_kernel && datum.lanes == pick_lanes"}],
-    "width": {"step": 40}, "height": 260,
-    "mark": "bar",
-    "encoding": {
-      "column": {"field": "scene", "title": null, "sort": "@scenes"},
-      "x": {"field": "micropolygon", "type": "nominal", "title": null,
-            "sort": ["triangles", "quads"], "axis": {"labelAngle": -90}},
-      "y": {"field": "relative", "type": "quantitative",
-            "title": "Instructions, relative to the scene's triangles"},
-      "order": {"field": "place"},
-      "color": "@stage"}
+    "facet": {"field": "scene", "title": null, "sort": "@scenes"},
+    "columns": 6,
+    "spec": {
+      "width": 110, "height": 260,
+      "mark": "bar",
+      "encoding": {
+        "x": {"field": "micropolygon", "type": "nominal", "title": null,
+              "sort": ["triangles", "quads"], "axis": {"labelAngle": 0}},
+        "y": {"field": "relative", "type": "quantitative",
+              "title": "Instructions, relative to triangles"},
+        "order": {"field": "place"},
+        "color": "@stage"}}
   })json";
-  auto spec = spec_from(kSpec, view.report());
-  spec["params"] = {choice_of_kernel(view.report()), choice_of_lanes(view.report())};
   return {Chart{"scenes",
                 "All instructions of each scene by stage, without Setup, relative to those of the "
                 "scene's triangles: figure 4.2 of the thesis.",
-                std::move(spec), rows(view)}};
+                spec_from(kSpec, view.report()),
+                rows(view),
+                {pick_of_kernel(), pick_of_lanes(view.report())}}};
 }
 
 }  // namespace

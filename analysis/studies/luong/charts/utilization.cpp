@@ -6,8 +6,8 @@ namespace lanescope::luong {
 namespace {
 
 std::vector<Block> build(const ReportView& view) {
-  return utilization_chart(view, {kAllButSetup, "All but Setup",
-                                  "Dashed: all stages but Setup together, as the thesis sums."});
+  return utilization_chart(view,
+                           {kAllButSetup, "All but Setup", " All but Setup: as the thesis sums."});
 }
 
 }  // namespace

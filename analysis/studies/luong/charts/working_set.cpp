@@ -77,9 +77,7 @@ DataFrame histogram(const ReportView& view) {
 
 std::vector<Block> build(const ReportView& view) {
   constexpr std::string_view kCourse = R"json({
-    "transform": [
-      {"filter": "datum.micropolygon == pick_mp"},
-      {"calculate": "'W = ' + datum.lanes", "as": "machine"}],
+    "transform": [{"calculate": "'W = ' + datum.lanes", "as": "machine"}],
     "facet": {"field": "machine", "title": null, "sort": {"field": "lanes"}},
     "columns": 4,
     "resolve": {"scale": {"x": "independent"}},
@@ -92,9 +90,7 @@ std::vector<Block> build(const ReportView& view) {
         "y": {"field": "multiple", "type": "quantitative", "title": "Alive, in units of W"}}}
   })json";
   constexpr std::string_view kHistogram = R"json({
-    "transform": [
-      {"filter": "datum.micropolygon == pick_mp"},
-      {"calculate": "'W = ' + datum.lanes", "as": "machine"}],
+    "transform": [{"calculate": "'W = ' + datum.lanes", "as": "machine"}],
     "facet": {"field": "machine", "title": null, "sort": {"field": "lanes"}},
     "columns": 4,
     "spec": {
@@ -109,20 +105,21 @@ std::vector<Block> build(const ReportView& view) {
         "y2": {"datum": 0}}}
   })json";
   const Report& report = view.report();
-  auto course_spec = spec_from(kCourse, report);
-  auto histogram_spec = spec_from(kHistogram, report);
-  course_spec["params"] = histogram_spec["params"] = {choice_of_mp(report)};
   return {
       Chart{"course",
             "Mean of the micropolygons that REPACK keeps just after the n-th Bound of a packet, "
             "in units of W; all packets of " +
                 shown_scenes(view) + " together.",
-            std::move(course_spec), course(view)},
+            spec_from(kCourse, report),
+            course(view),
+            {pick_of_mp()}},
       Chart{"histogram",
             "Share of the invocations of Bound after which so many micropolygons were alive; "
             "all packets of " +
                 shown_scenes(view) + " together.",
-            std::move(histogram_spec), histogram(view)}};
+            spec_from(kHistogram, report),
+            histogram(view),
+            {pick_of_mp()}}};
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "analysis/studies/luong/tables/deviation.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,32 +12,6 @@
 
 namespace lanescope::luong {
 namespace {
-
-/// Differences of utilizations or of shares, in points, gathered cell by cell.
-struct Deviation {
-  int cells = 0;
-  double largest = 0.0;
-  std::string where = "-";
-  double rounded_squares = 0.0;
-  double exact_squares = 0.0;
-
-  void add(const Figure& figure, const std::string& place) {
-    if (!has_difference(figure)) return;
-    const double rounded = *rounded_difference(figure) * kPercent.scale / figure.unit->scale;
-    const double exact = kPercent.scale * (*figure.ours - *figure.paper);
-    ++cells;
-    rounded_squares += rounded * rounded;
-    exact_squares += exact * exact;
-    if (std::abs(rounded) <= std::abs(largest)) return;
-    largest = rounded;
-    where = place;
-  }
-
-  std::optional<double> root_mean_square(double squares) const {
-    if (cells == 0) return std::nullopt;
-    return std::sqrt(squares / cells);
-  }
-};
 
 using CellFigure = Figure (*)(const ReportView&, const UtilizationTable&, std::string_view, int);
 
@@ -106,6 +82,32 @@ TableData build(const ReportView& view) {
 }
 
 }  // namespace
+
+void Deviation::add(const Figure& figure, const std::string& place) {
+  if (!has_difference(figure)) return;
+  const double rounded = *rounded_difference(figure) * kPercent.scale / figure.unit->scale;
+  const double exact = kPercent.scale * (*figure.ours - *figure.paper);
+  ++cells;
+  rounded_squares += rounded * rounded;
+  exact_squares += exact * exact;
+  if (std::abs(rounded) <= std::abs(largest)) return;
+  largest = rounded;
+  where = place;
+}
+
+std::optional<double> Deviation::root_mean_square(double squares) const {
+  if (cells == 0) return std::nullopt;
+  return std::sqrt(squares / cells);
+}
+
+Deviation stage_deviation(const ReportView& view, std::string_view facet) {
+  Deviation deviation;
+  for (const UtilizationTable& table : utilization_tables())
+    if (table.series.facet == facet)
+      add_cells(deviation, view, table, thesis_stages(table), utilization_figure);
+  return deviation;
+}
+
 }  // namespace lanescope::luong
 
 namespace lanescope {
