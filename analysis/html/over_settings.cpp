@@ -73,9 +73,9 @@ Json parameter_axis(const SettingAxis& axis) {
   const double first = values.front(), last = values.back();
   x["type"] = "quantitative";
   if (first > 0.0 && last / first >= kManyTimes)
-    x["scale"] = {{"type", "log"}, {"nice", false}};
+    x["scale"] = {{"type", "log"}, {"nice", false}, {"padding", 8}};
   else
-    x["scale"] = {{"zero", false}, {"nice", false}};
+    x["scale"] = {{"zero", false}, {"nice", false}, {"padding", 8}};
   x["axis"] = {{"values", values},
                {"format", ".3~g"},
                {"grid", false},
@@ -161,14 +161,17 @@ Chart instructions_chart(const std::vector<Setting>& settings, const SettingAxis
            "strokeDash": {"field": "kernel", "title": "Kernel", "sort": null},
            "shape": {"field": "kernel", "title": "Kernel", "sort": null}}},
         {"transform": [
-           {"aggregate": [{"op": "argmin", "field": "figure", "as": "least"},
-                          {"op": "max", "field": "figure", "as": "most"}],
-            "groupby": ["kernel", "lanes", "machine"]},
-           {"filter": "datum.least.figure < datum.most"},
-           {"calculate": "datum.least.value", "as": "value"},
-           {"calculate": "datum.least.figure", "as": "figure"}],
+           {"joinaggregate": [{"op": "min", "field": "figure", "as": "least"},
+                              {"op": "min", "field": "value", "as": "begin"},
+                              {"op": "max", "field": "value", "as": "end"}],
+            "groupby": ["kernel", "lanes"]},
+           {"calculate": "datum.figure == datum.least ? datum.value : datum.end", "as": "low"},
+           {"joinaggregate": [{"op": "min", "field": "low", "as": "at"}],
+            "groupby": ["kernel", "lanes"]},
+           {"calculate": "datum.value == datum.at && datum.at != datum.begin && datum.at != datum.end ? format(datum.figure, '.2f') : ''",
+            "as": "label"}],
          "mark": {"type": "text", "dy": 12, "fontWeight": "bold", "fill": "currentColor"},
-         "encoding": {"text": {"field": "figure", "type": "quantitative", "format": ".2f"}}}]}
+         "encoding": {"text": {"field": "label"}}}]}
   })json";
   const Report& report = settings.front().group->report;
   const ElementWords element = element_of(report);
@@ -178,9 +181,10 @@ Chart instructions_chart(const std::vector<Setting>& settings, const SettingAxis
   spec["spec"]["encoding"]["y"]["title"] = "Instructions per " + element.name;
   Chart chart{
       "instructions",
-      fmt::format("Instructions for each {} over {}, {}; the least of each line that is "
-                  "not level is written at its point. Scales differ, and do not begin at 0.",
-                  element.name, axis.parameter, settings.front().view.caption()),
+      fmt::format(
+          "Instructions for each {} over {}, {}; the least of each line is written "
+          "at its point unless that is one of its ends. Scales differ, and do not begin at 0.",
+          element.name, axis.parameter, settings.front().view.caption()),
       std::move(spec),
       {},
       rows.picks()};

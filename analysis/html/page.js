@@ -107,8 +107,14 @@
   const kGapPx = 35;      // Between panels, with labels of an axis.
   const kLeastPx = 110;   // Of a panel that had more room.
 
+  const kWordsPx = 130;   // Of the labels of an axis of words.
+
   function narrower(spec, room) {
-    if (typeof spec.width === "number") spec.width = Math.min(spec.width, room - kAxisPx);
+    const y = spec.encoding?.y;
+    const isOfWords = /nominal|ordinal/.test(y?.type);
+    if (isOfWords) y.axis = {...y.axis, labelLimit: kWordsPx};
+    const left = isOfWords ? kAxisPx / 2 + kWordsPx : kAxisPx;
+    if (typeof spec.width === "number") spec.width = Math.min(spec.width, room - left);
     return spec;
   }
 
@@ -118,10 +124,12 @@
     const least = width > 200 ? width - 40 : Math.min(width, kLeastPx);
     const most = Math.floor((room - kGapPx) / (least + kGapPx));
     spec.columns = Math.max(1, Math.min(spec.columns, most));
-    const each = spec.columns > 1 ? Math.floor((room - kGapPx) / spec.columns) - kGapPx
-                                  : room - kAxisPx;
+    const each = Math.floor((room - kGapPx) / spec.columns) - kGapPx;
     for (const panel of panels)
-      if (typeof panel.width === "number") panel.width = Math.min(panel.width, each);
+      if (spec.columns === 1) narrower(panel, room);
+      else if (typeof panel.width === "number") panel.width = Math.min(panel.width, each);
+    // A heading has no more room than its panel.
+    if (spec.facet) spec.facet.header = {labelExpr: "split(datum.label, /: |, | (?== [a-z])/)"};
     return spec;
   }
 
@@ -136,7 +144,7 @@
     return {
       ...spec,
       transform: [...(spec.transform ?? []), {calculate: title, as: "panel"}],
-      facet: {field: "panel", title: null, sort, header: {labelExpr: "split(datum.label, /, | (?== )/)"}},
+      facet: {field: "panel", title: null, sort},
       columns: 4,
     };
   }
@@ -157,7 +165,7 @@
     if (room >= kNarrowPx) return config;
     const legend = {...config.legend, orient: "top", direction: "horizontal",
                     columns: Math.max(1, Math.floor(room / 130))};
-    return {...config, legend, axis: {...config.axis, labelLimit: Math.max(90, room / 3)}};
+    return {...config, legend, title: {...config.title, limit: room - kAxisPx}};
   }
 
   // ---- figures ----

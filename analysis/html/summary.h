@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was run: the first section of the page.
+// What was run: a section at the end of the page.
 #pragma once
 
 #include <string>

@@ -71,6 +71,25 @@ TEST_F(ReportCommand, WritesTheSamePageToStandardOutput) {
   EXPECT_TRUE(outcome.output == read_file(directory() + "/page.html"));
 }
 
+TEST_F(ReportCommand, IsWhatRunWritesAsHtml) {
+  const Outcome run = lanescope_program(
+      "run --scene teapot --resolution 24x16 --width 8 --json report.json --html run.html",
+      directory());
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_NE(run.output.find("lockstep on teapot"), run.output.npos);  // It prints its tables, too.
+  ASSERT_EQ(lanescope_program("report report.json -o report.html", directory()).status, 0);
+  EXPECT_TRUE(read_file(directory() + "/run.html") == read_file(directory() + "/report.html"));
+}
+
+TEST_F(ReportCommand, AndJsonOfARunCannotBothBeStandardOutput) {
+  const Outcome run =
+      lanescope_program("run --scene teapot --resolution 24x16 --json - --html -", directory());
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.output, "");
+  EXPECT_EQ(run.errors,
+            "lanescope: --html: standard output is taken by --json; name a file\n");
+}
+
 TEST_F(ReportCommand, PoolsReportsAndLetsTheirSettingsBePicked) {
   const Outcome outcome = lanescope_program("report 4.json 9.json -o both.html", directory());
   EXPECT_EQ(outcome.status, 0) << outcome.errors;

@@ -64,7 +64,7 @@ std::vector<Block> build(const ReportView& view) {
             "axis": {"format": "%", "tickCount": 5}}},
     "layer": [
       {"mark": "bar", "encoding": {"color": "@stage"}},
-      {"mark": {"type": "text", "align": "left", "x": 336, "fill": "currentColor",
+      {"mark": {"type": "text", "align": "left", "x": {"expr": "width + 6"}, "fill": "currentColor",
                 "font": "ui-monospace, 'Liberation Mono', monospace", "fontSize": 11,
                 "limit": 430},
        "encoding": {"x": null, "text": {"field": "source"}}}]

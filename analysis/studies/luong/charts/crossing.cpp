@@ -105,12 +105,15 @@ Json stacked_panel(const Report& report) {
                         {"op": "min", "field": "left", "as": "left"}],
           "groupby": ["kernel", "lanes"]},
          {"calculate": "datum.left + 0.2", "as": "middle"},
-         {"calculate": "datum.total * 1.06", "as": "above"},
+         {"calculate": "datum.total * 1.08", "as": "above"},
          {"calculate": "slice(datum.kernel, 0, 1)", "as": "letter"}],
-       "mark": {"type": "text", "baseline": "middle", "fill": "currentColor"},
-       "encoding": {"x": {"field": "middle", "type": "quantitative"},
-                    "y": {"field": "above", "type": "quantitative"},
-                    "text": {"field": "letter"}}}]
+       "encoding": {"x": {"field": "middle", "type": "quantitative"}},
+       "layer": [
+         {"mark": {"type": "text", "baseline": "bottom", "dy": -3, "fill": "currentColor"},
+          "encoding": {"y": {"field": "total", "type": "quantitative"},
+                       "text": {"field": "letter"}}},
+         {"mark": {"type": "point", "opacity": 0},
+          "encoding": {"y": {"field": "above", "type": "quantitative"}}}]}]
   })json";
   const std::vector<int> widths = few_widths(lanescope::widths_of(report));
   const std::string list = fmt::format("[{}]", fmt::join(widths, ", "));
