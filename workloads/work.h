@@ -48,7 +48,13 @@ class Source {
   /// Hands the pieces of one segment to `sink`, in order. Thread-safe. Returns what the source
   /// counted, in the order of Workload::counters.
   virtual std::vector<std::uint64_t> produce(int segment, const WorkSink& sink) const = 0;
+  /// What the user should know of the scene, although it can be used: what of a file was skipped,
+  /// why nothing will be seen. Sentences that begin with where.
+  virtual std::vector<std::string> notes() const { return {}; }
 };
+
+/// Called with the finished share of opening a scene, from 0 to 1, on the thread that opens it.
+using OpeningProgress = std::function<void(double fraction)>;
 
 /// How two values of a counter merge.
 enum class Merge { kSum, kMaximum };
@@ -104,8 +110,9 @@ struct Workload {
   /// Completes arguments in which every parameter has a value or nothing: sets what the scene
   /// decides. Throws ParameterError for what does not fit together. Does not open files.
   void (*resolve)(const std::string& scene, Arguments& arguments);
-  /// Opens a scene. Throws InputError if a file cannot be used.
-  std::unique_ptr<Source> (*open)(const std::string& scene, const Arguments& arguments);
+  /// Opens a scene. `progress` may be empty. Throws InputError if a file cannot be used.
+  std::unique_ptr<Source> (*open)(const std::string& scene, const Arguments& arguments,
+                                  const OpeningProgress& progress);
   /// A figure in proportion to the time that a run takes, to weigh runs against each other.
   double (*expected_work)(const Arguments& arguments);
   /// Throws ParameterError for a region that is not in the picture. Null if the kind has no
