@@ -22,6 +22,7 @@
 LANESCOPE_EMBED(page_template, LANESCOPE_PAGE "/page.html")
 LANESCOPE_EMBED(page_style, LANESCOPE_PAGE "/page.css")
 LANESCOPE_EMBED(page_program, LANESCOPE_PAGE "/page.js")
+LANESCOPE_EMBED(page_guide, LANESCOPE_GUIDE)
 LANESCOPE_EMBED(vega, LANESCOPE_MODULES "/vega/build/vega.min.js")
 LANESCOPE_EMBED(vega_lite, LANESCOPE_MODULES "/vega-lite/build/vega-lite.min.js")
 LANESCOPE_EMBED(vega_embed, LANESCOPE_MODULES "/vega-embed/build/vega-embed.min.js")

@@ -11,6 +11,9 @@ std::string_view page_template();
 std::string_view page_style();
 std::string_view page_program();
 
+/// docs/page.md.
+std::string_view page_guide();
+
 /// The libraries that draw charts, in the order in which a page loads them.
 std::string_view vega();
 std::string_view vega_lite();

@@ -11,6 +11,7 @@
 #include "analysis/html/blocks.h"
 #include "analysis/html/downloads.h"
 #include "analysis/html/groups.h"
+#include "analysis/html/guide.h"
 #include "analysis/html/markup.h"
 #include "analysis/html/over_settings.h"
 #include "analysis/html/pictures.h"
@@ -35,6 +36,16 @@ std::string plain(std::string name) {
   return name;
 }
 
+/// What the docs say of a section; empty if nothing.
+std::string guide_details(std::string_view title) {
+  const std::string html = guide_html(title);
+  if (html.empty()) return {};
+  return fmt::format(
+      "<details class=\"guide\"><summary>How to read this<span class=\"hidden\">: {}</span>"
+      "</summary>\n{}</details>\n",
+      html_escaped(title), html);
+}
+
 /// A page under construction: its parts, and the sections that have no figures.
 class Parts {
  public:
@@ -47,7 +58,8 @@ class Parts {
     for (const SettingAxis& axis : axes_of(settings_)) {
       const std::string id = "over-" + plain(axis.parameter);
       const std::string html = blocks_html({over_parameter(settings_, axis)}, 0, id);
-      if (!html.empty()) add({id, "Over " + axis.parameter, html});
+      if (!html.empty())
+        add({id, "Over " + axis.parameter, html + guide_details("Over a parameter")});
     }
   }
 
@@ -69,7 +81,8 @@ class Parts {
     const std::string sentence = shown->explanation.empty()
                                      ? std::string()
                                      : fmt::format("<p>{}</p>\n", html_escaped(shown->explanation));
-    add({std::string(id), std::string(shown->title), sentence + html});
+    add({std::string(id), std::string(shown->title),
+         sentence + html + guide_details(shown->title)});
   }
 
   void prepend_to_last(const std::string& html) { parts_.back().html.insert(0, html); }

@@ -9,6 +9,7 @@
 
 #include "analysis/base/files.h"
 #include "analysis/html/groups.h"
+#include "analysis/html/guide.h"
 #include "analysis/html/markup.h"
 #include "analysis/html/packed.h"
 #include "analysis/html/page.h"
@@ -367,6 +368,17 @@ TEST(HtmlPage, EachSectionOfThePlanIsThereOrSaidToHaveNoFigures) {
     EXPECT_EQ(count(page, fmt::format("<h2 id=\"{}\">", section->id)),
               page.find(section->title, note) == page.npos ? 1u : 0u)
         << section->id;
+}
+
+TEST(HtmlPage, TheDocsSayHowToReadEachChart) {
+  for (const Section* section : sections()) {
+    if (section->id == "answer") continue;
+    EXPECT_NE(guide_html(section->title), "") << section->title;
+  }
+  EXPECT_EQ(guide_html("Nothing of this name"), "");
+  EXPECT_NE(guide_html("Over a parameter").find("<em>All stages</em>"), std::string::npos);
+  const std::string page = report_page({{"a.json", sample_report()}}, ".", general_plan);
+  EXPECT_GT(count(page, "<details class=\"guide\">"), 5u);
 }
 
 TEST(HtmlPage, AnswersWhichKernelIsAheadWhere) {

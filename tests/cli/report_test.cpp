@@ -78,7 +78,12 @@ TEST_F(ReportCommand, IsWhatRunWritesAsHtml) {
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_NE(run.output.find("lockstep on teapot"), run.output.npos);  // It prints its tables, too.
   ASSERT_EQ(lanescope_program("report report.json -o report.html", directory()).status, 0);
-  EXPECT_TRUE(read_file(directory() + "/run.html") == read_file(directory() + "/report.html"));
+  // What was run stands at the end, with times in more digits than a file has.
+  const auto figures = [](const std::string& file) {
+    const std::string page = read_file(directory() + file);
+    return page.substr(0, page.find("<h2 id=\"runs\">"));
+  };
+  EXPECT_TRUE(figures("/run.html") == figures("/report.html"));
 }
 
 TEST_F(ReportCommand, AndJsonOfARunCannotBothBeStandardOutput) {
@@ -86,8 +91,7 @@ TEST_F(ReportCommand, AndJsonOfARunCannotBothBeStandardOutput) {
       lanescope_program("run --scene teapot --resolution 24x16 --json - --html -", directory());
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.output, "");
-  EXPECT_EQ(run.errors,
-            "lanescope: --html: standard output is taken by --json; name a file\n");
+  EXPECT_EQ(run.errors, "lanescope: --html: standard output is taken by --json; name a file\n");
 }
 
 TEST_F(ReportCommand, PoolsReportsAndLetsTheirSettingsBePicked) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/html/guide.h"
 #include "analysis/studies/luong/charts/crossing_point.h"
 #include "analysis/studies/luong/study.h"
 #include "tests/analysis/studies/luong/sample_of_study.h"
@@ -159,6 +160,13 @@ TEST(LuongPage, HasThirteenSectionsAndFifteenCharts) {
   EXPECT_EQ(count("<h2 id="), 3u + 13u);
   EXPECT_EQ(count("<figure class=\"chart\""), 15u);
   EXPECT_EQ(count("The reports have no figures for"), 0u);
+}
+
+TEST(LuongPage, TheDocsSayHowToReadEachOfItsSections) {
+  for (const Section* section : luong_sections()) {
+    if (section->id == "answer") continue;
+    EXPECT_NE(guide_html(section->title), "") << section->title;
+  }
 }
 
 TEST(LuongPage, BeginsWithTheCrossingAndTheThesis) {
