@@ -83,6 +83,8 @@
     setTimeout(() => URL.revokeObjectURL(link.href), 60000);
   }
 
+  const kLongText = 40;  // Characters; a longer cell has several lines.
+
   function tableOf(columns, rows, caption) {
     const table = document.createElement("table");
     table.append(element("caption", caption));
@@ -93,7 +95,8 @@
       const line = body.insertRow();
       columns.forEach(({name, format}, place) => {
         const text = shown(row[name], format);
-        line.append(place === 0 ? element("th", text, {scope: "row"}) : element("td", text));
+        const kind = text.length > kLongText ? {class: "long"} : {};
+        line.append(place === 0 ? element("th", text, {scope: "row"}) : element("td", text, kind));
       });
     }
     return table;
