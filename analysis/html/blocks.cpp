@@ -16,21 +16,22 @@ using Json = nlohmann::ordered_json;
 /// A place of a section, and what stands there in each setting; null for nothing.
 struct Place {
   std::string key;
-  std::vector<const Block*> blocks;
+  std::vector<const SectionBlock*> blocks;
 };
 
 /// Charts are told apart by their ids, markup by its place among the markup.
-std::vector<Place> places_of(const std::vector<std::vector<Block>>& by_setting) {
+std::vector<Place> places_of(const std::vector<std::vector<SectionBlock>>& by_setting) {
   std::vector<Place> places;
   for (std::size_t setting = 0; setting < by_setting.size(); ++setting) {
     std::size_t markups = 0;
-    for (const Block& block : by_setting[setting]) {
+    for (const SectionBlock& block : by_setting[setting]) {
       const Chart* chart = std::get_if<Chart>(&block);
       const std::string key = chart ? chart->id : fmt::format("markup {}", markups++);
       auto place = std::find_if(places.begin(), places.end(),
                                 [&](const Place& other) { return other.key == key; });
       if (place == places.end())
-        place = places.insert(place, {key, std::vector<const Block*>(by_setting.size(), nullptr)});
+        place = places.insert(place,
+                              {key, std::vector<const SectionBlock*>(by_setting.size(), nullptr)});
       place->blocks[setting] = &block;
     }
   }
@@ -46,10 +47,10 @@ std::size_t place_in(std::vector<T>& list, const T& value) {
   return place;
 }
 
-std::string markup_html(const std::vector<const Block*>& blocks, std::size_t first) {
+std::string markup_html(const std::vector<const SectionBlock*>& blocks, std::size_t first) {
   std::vector<std::string> different;
   Json of_settings = Json::array();
-  for (const Block* block : blocks)
+  for (const SectionBlock* block : blocks)
     of_settings.push_back(
         place_in(different, block ? std::get<Markup>(*block).html : std::string()));
   if (different.size() == 1) return different.front();
@@ -97,11 +98,11 @@ class ChartPack {
   std::vector<DataFrame> frames_;
 };
 
-std::string chart_html(const std::vector<const Block*>& blocks, std::size_t first,
+std::string chart_html(const std::vector<const SectionBlock*>& blocks, std::size_t first,
                        const std::string& id) {
   ChartPack pack;
   const Chart* shown = nullptr;
-  for (const Block* block : blocks) {
+  for (const SectionBlock* block : blocks) {
     const Chart* chart = block ? std::get_if<Chart>(block) : nullptr;
     pack.add(chart);
     if (chart && (!shown || block == blocks[first])) shown = chart;
@@ -118,12 +119,13 @@ std::string chart_html(const std::vector<const Block*>& blocks, std::size_t firs
 
 }  // namespace
 
-std::string blocks_html(const std::vector<std::vector<Block>>& by_setting, std::size_t first,
+std::string blocks_html(const std::vector<std::vector<SectionBlock>>& by_setting, std::size_t first,
                         const std::string& section_id) {
   std::string html;
   bool has_figures = false;
   for (const auto& [key, blocks] : places_of(by_setting)) {
-    const Block* any = *std::find_if(blocks.begin(), blocks.end(), [](auto* b) { return b; });
+    const SectionBlock* any =
+        *std::find_if(blocks.begin(), blocks.end(), [](auto* b) { return b; });
     const bool is_chart = std::holds_alternative<Chart>(*any);
     const std::string part =
         is_chart ? chart_html(blocks, first, section_id + '-' + key) : markup_html(blocks, first);

@@ -14,7 +14,7 @@ namespace lanescope {
 /// same in all settings stand there once; of others each different one is packed for page.js.
 /// Charts have the id `<section_id>-<chart's id>`. Empty if no setting has a chart with rows or any
 /// markup.
-std::string blocks_html(const std::vector<std::vector<Block>>& by_setting, std::size_t first,
+std::string blocks_html(const std::vector<std::vector<SectionBlock>>& by_setting, std::size_t first,
                         const std::string& section_id);
 
 }  // namespace lanescope

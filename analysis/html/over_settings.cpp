@@ -256,7 +256,8 @@ Markup cheapest_settings(const std::vector<Setting>& settings) {
       html_escaped(settings.front().view.caption()), head, rows)};
 }
 
-std::vector<Block> over_parameter(const std::vector<Setting>& settings, const SettingAxis& axis) {
+std::vector<SectionBlock> over_parameter(const std::vector<Setting>& settings,
+                                         const SettingAxis& axis) {
   return {instructions_chart(settings, axis), utilization_over(settings, axis)};
 }
 

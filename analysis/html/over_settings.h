@@ -14,6 +14,7 @@ namespace lanescope {
 Markup cheapest_settings(const std::vector<Setting>& settings);
 
 /// Instructions for each element, and utilization, over the values of one parameter.
-std::vector<Block> over_parameter(const std::vector<Setting>& settings, const SettingAxis& axis);
+std::vector<SectionBlock> over_parameter(const std::vector<Setting>& settings,
+                                         const SettingAxis& axis);
 
 }  // namespace lanescope

@@ -66,7 +66,7 @@ class Parts {
   /// The section of that id of each setting's plan, which may be different ones.
   void add_section(std::string_view id) {
     const Section* shown = nullptr;
-    std::vector<std::vector<Block>> blocks(settings_.size());
+    std::vector<std::vector<SectionBlock>> blocks(settings_.size());
     for (std::size_t i = 0; i < settings_.size(); ++i) {
       const Section* section = find(plans_[i], id);
       if (!section) continue;

@@ -39,7 +39,7 @@ struct Chart {
   std::vector<Pick> picks = {};
 };
 
-using Block = std::variant<Markup, Chart>;
+using SectionBlock = std::variant<Markup, Chart>;
 
 /// The descriptor; analysis/html/charts/<name>.cpp ends in one, and the registry lists them.
 /// Studies have sections of their own.
@@ -51,7 +51,7 @@ struct Section {
   /// facet or scene. `view` has the scenes that figures are averaged over. Without blocks, or with
   /// charts that have no rows, the page leaves the section out and says so. The page shows one
   /// setting at a time: blocks of several settings stand in one place, charts by their id.
-  std::vector<Block> (*build)(const ReportView& view);
+  std::vector<SectionBlock> (*build)(const ReportView& view);
 };
 
 /// Every section that any run can have, in the order of analysis/html/charts/CMakeLists.txt.

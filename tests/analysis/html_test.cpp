@@ -182,7 +182,7 @@ ReportView two_scenes(const Report& report) {
 Chart chart_of(const Report& report, std::string_view section_id, std::string_view chart_id) {
   for (const Section* section : sections()) {
     if (section->id != section_id) continue;
-    for (Block& block : section->build(two_scenes(report)))
+    for (SectionBlock& block : section->build(two_scenes(report)))
       if (Chart* chart = std::get_if<Chart>(&block); chart && chart->id == chart_id) return *chart;
   }
   ADD_FAILURE() << section_id << ' ' << chart_id;
@@ -286,7 +286,7 @@ TEST(HtmlCharts, OfManyWidthsHaveRoomForTheirLabels) {
 TEST(HtmlCharts, PickColumnsOfTheirRows) {
   const Report report = sample_report();
   for (const Section* section : sections())
-    for (const Block& block : section->build(two_scenes(report)))
+    for (const SectionBlock& block : section->build(two_scenes(report)))
       if (const Chart* chart = std::get_if<Chart>(&block)) {
         for (const Pick& pick : chart->picks)
           EXPECT_TRUE(std::any_of(chart->rows.columns().begin(), chart->rows.columns().end(),
@@ -299,7 +299,7 @@ TEST(HtmlCharts, StagesHaveOneColourEverywhere) {
   std::map<std::string, std::set<std::string>> colours;
   const Report report = sample_report();
   for (const Section* section : sections())
-    for (const Block& block : section->build(two_scenes(report)))
+    for (const SectionBlock& block : section->build(two_scenes(report)))
       if (const Chart* chart = std::get_if<Chart>(&block)) {
         const Json flat = chart->spec.flatten();
         for (const auto& [path, value] : flat.items())

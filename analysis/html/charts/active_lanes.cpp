@@ -6,7 +6,7 @@ namespace {
 
 const std::vector<std::uint64_t>& histogram(const StageRecord& stage) { return stage.histogram; }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   return lane_chart(view, {"Share of the instructions of each stage that were issued with exactly "
                            "so many lanes on, in one scene.",
                            "Lanes on", histogram});

@@ -27,7 +27,7 @@ Markup times(const ReportView& view) {
   return {text + "</tbody>\n</table></div>\n"};
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   Markup table =
       answer_table(view, {}, "Utilization is active lanes / (instructions x W); of all stages.");
   if (table.html.empty()) return {times(view)};

@@ -30,7 +30,7 @@ TableData headline(const ReportView& view) {
   return data;
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   const TableData data = headline(view);
   if (data.rows.empty()) return {};
   std::string html = table_html(data);

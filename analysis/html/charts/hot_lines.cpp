@@ -53,7 +53,7 @@ DataFrame rows(const ReportView& view) {
   return frame;
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   constexpr std::string_view kSpec = R"json({
     "transform": [{"filter": "datum.rank <= 20"}],
     "width": 330, "height": {"step": 20},

@@ -30,7 +30,7 @@ DataFrame rows(const Report& report, const LaneChart& chart) {
 
 }  // namespace
 
-std::vector<Block> lane_chart(const ReportView& view, const LaneChart& chart) {
+std::vector<SectionBlock> lane_chart(const ReportView& view, const LaneChart& chart) {
   constexpr std::string_view kSpec = R"json({
     "transform": [
       {"calculate": "datum.place - 0.5", "as": "left"},

@@ -19,6 +19,6 @@ struct LaneChart {
   const std::vector<std::uint64_t>& (*counts)(const StageRecord& stage);
 };
 
-std::vector<Block> lane_chart(const ReportView& view, const LaneChart& chart);
+std::vector<SectionBlock> lane_chart(const ReportView& view, const LaneChart& chart);
 
 }  // namespace lanescope

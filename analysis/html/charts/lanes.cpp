@@ -8,7 +8,7 @@ const std::vector<std::uint64_t>& lane_active(const StageRecord& stage) {
   return stage.lane_active;
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   return lane_chart(view, {"Share of the instructions of each stage that were issued with the lane "
                            "on, in one scene.",
                            "Lane", lane_active});

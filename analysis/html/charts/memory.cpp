@@ -78,7 +78,7 @@ std::string observed_note(const ReportView& view) {
       observed, pieces, html_escaped(shown_scenes(view)));
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   constexpr std::string_view kMeans = R"json({
     "transform": [
       {"calculate": "datum.stage + ': ' + datum.mnemonic", "as": "place"}],

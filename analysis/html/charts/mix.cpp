@@ -64,7 +64,7 @@ nlohmann::ordered_json spec(const ReportView& view) {
       {"concat", std::move(panels)}, {"columns", 2}, {"resolve", {{"scale", {{"x", "shared"}}}}}};
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   const InstructionName mnemonic_of = [](const InstructionRecord& counts) {
     return counts.mnemonic;
   };

@@ -39,12 +39,12 @@ bool has_paper(const DataFrame& shares, const std::optional<PaperOverhead>& pape
                               [](const auto& row) { return !row.back().is_null(); });
 }
 
-std::vector<Block> build(const ReportView& view) { return overhead_chart(view); }
+std::vector<SectionBlock> build(const ReportView& view) { return overhead_chart(view); }
 
 }  // namespace
 
-std::vector<Block> overhead_chart(const ReportView& view,
-                                  const std::optional<PaperOverhead>& paper) {
+std::vector<SectionBlock> overhead_chart(const ReportView& view,
+                                         const std::optional<PaperOverhead>& paper) {
   constexpr std::string_view kSpec = R"json({
     "transform": [{"calculate": "datum.kernel + (datum.facet ? ', ' + datum.facet : '')",
                    "as": "series"}],

@@ -19,7 +19,7 @@ struct PaperOverhead {
 };
 
 /// Strokes show the paper's figures, if there are any.
-std::vector<Block> overhead_chart(const ReportView& view,
-                                  const std::optional<PaperOverhead>& paper = std::nullopt);
+std::vector<SectionBlock> overhead_chart(const ReportView& view,
+                                         const std::optional<PaperOverhead>& paper = std::nullopt);
 
 }  // namespace lanescope

@@ -23,13 +23,13 @@ DataFrame rows(const ReportView& view, const Together& together) {
   return frame;
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   return utilization_chart(view, {{}, "All stages", ""});
 }
 
 }  // namespace
 
-std::vector<Block> utilization_chart(const ReportView& view, const Together& together) {
+std::vector<SectionBlock> utilization_chart(const ReportView& view, const Together& together) {
   constexpr std::string_view kSpec = R"json({
     "facet": {
       "column": {"field": "kernel", "title": null, "sort": "@kernels"},

@@ -17,6 +17,6 @@ struct Together {
   std::string note;  ///< A sentence for the caption, after a space; or empty.
 };
 
-std::vector<Block> utilization_chart(const ReportView& view, const Together& together);
+std::vector<SectionBlock> utilization_chart(const ReportView& view, const Together& together);
 
 }  // namespace lanescope

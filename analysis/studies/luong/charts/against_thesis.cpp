@@ -121,7 +121,7 @@ nlohmann::ordered_json spec(const Report& report, const DataFrame& rows) {
   return {{"concat", std::move(panels)}, {"columns", 2}};
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   Rows gathered;
   for (const Table* table : luong_tables()) gathered.add_table(build_table(*table, view));
   DataFrame rows = gathered.take();

@@ -56,7 +56,7 @@ std::string deviation_sentence(const ReportView& view, std::string_view facet) {
       plural(facet), std::abs(deviation.largest), *root);
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   std::vector<std::string> sentences;
   for (const Pair& pair : pairs_of(view)) {
     sentences.push_back(crossing_sentence(view, pair) + ' ' + widest_sentence(view, pair));

@@ -141,7 +141,7 @@ constexpr std::string_view kRatio = R"json({
      "encoding": {"y": {"datum": 1}}}]
 })json";
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   std::string sentences;
   for (const Pair& pair : pairs_of(view)) sentences += crossing_sentence(view, pair) + ' ';
   if (sentences.empty()) return {};

@@ -52,7 +52,7 @@ TableData headline(const ReportView& view) {
   return data;
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   std::string html = table_html(compared<headline>(view));
   for (const Table* table : luong_tables())
     html += fmt::format("<details><summary>All figures: {}</summary>\n{}</details>\n",

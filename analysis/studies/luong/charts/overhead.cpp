@@ -13,7 +13,7 @@ std::optional<double> thesis_overhead(const Series& series, const std::string& s
   return thesis_value({"table_4_3", "overhead", stage});
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   if (!differences_from_thesis(view).empty()) return overhead_chart(view);
   return overhead_chart(view, PaperOverhead{"Thesis, of no width in particular",
                                             "Strokes: the thesis's figures of table 4.3, which it "

@@ -39,7 +39,7 @@ DataFrame rows(const ReportView& view) {
   return frame;
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   constexpr std::string_view kSpec = R"json({
     "facet": {"field": "scene", "title": null, "sort": "@scenes"},
     "columns": 6,

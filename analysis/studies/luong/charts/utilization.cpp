@@ -5,7 +5,7 @@
 namespace lanescope::luong {
 namespace {
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   return utilization_chart(view,
                            {kAllButSetup, "All but Setup", " All but Setup: as the thesis sums."});
 }

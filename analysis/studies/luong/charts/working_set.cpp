@@ -75,7 +75,7 @@ DataFrame histogram(const ReportView& view) {
   return frame;
 }
 
-std::vector<Block> build(const ReportView& view) {
+std::vector<SectionBlock> build(const ReportView& view) {
   constexpr std::string_view kCourse = R"json({
     "transform": [{"calculate": "'W = ' + datum.lanes", "as": "machine"}],
     "facet": {"field": "machine", "title": null, "sort": {"field": "lanes"}},

@@ -40,7 +40,7 @@ TEST(LuongCrossing, IsNoneOnOneSide) {
 Chart chart_of(const Report& report, std::string_view section_id, std::string_view chart_id) {
   for (const Section* section : luong_sections()) {
     if (section->id != section_id) continue;
-    for (Block& block : section->build(view_of(study_luong, report)))
+    for (SectionBlock& block : section->build(view_of(study_luong, report)))
       if (Chart* chart = std::get_if<Chart>(&block); chart && chart->id == chart_id) return *chart;
   }
   ADD_FAILURE() << section_id << ' ' << chart_id;
