@@ -15,18 +15,19 @@ constexpr std::size_t kLines = 200;      ///< In the table.
 constexpr std::size_t kCharacters = 90;  ///< Of a line of source beside its bar.
 
 /// The name of a file without its folders: bars have little room.
-std::string place_of(const AnnotatedLine& line) {
-  return fmt::format("{}:{}", line.file.substr(line.file.rfind('/') + 1), line.line);
+std::string short_place(const SourcePlace& place) {
+  return fmt::format("{}:{}", place.file.substr(place.file.rfind('/') + 1), place.line);
 }
 
-/// The stage that a bar has the colour of: the first of those that share the line.
-std::string stage_of(const AnnotatedLine& line) {
-  return line.stages.substr(0, line.stages.find(','));
+/// With the block that it is issued in: lines of helpers are issued in many.
+std::string place_of(const AnnotatedLine& line) {
+  return line.block ? fmt::format("{} in {}", short_place(line.place), short_place(*line.block))
+                    : short_place(line.place);
 }
 
 /// Without the white space before it.
 std::string source_of(const AnnotatedLine& line) {
-  std::string_view text = source_line(line.file, line.line);
+  std::string_view text = source_line(line.place.file, line.place.line);
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   if (text.size() <= kCharacters) return std::string(text);
   return std::string(text.substr(0, kCharacters)) + "...";
@@ -45,7 +46,7 @@ DataFrame rows(const ReportView& view) {
     for (std::size_t i = 0; i < std::min(kLines, annotation.lines.size()); ++i) {
       const AnnotatedLine& line = annotation.lines[i];
       frame.add({shown_kernel(series.kernel), shown_facet(series), annotation.width, i + 1,
-                 fmt::format("{}:{}", line.file, line.line), place_of(line), stage_of(line),
+                 fmt::format("{}:{}", line.place.file, line.place.line), place_of(line), line.stage,
                  number_or_null(annotation.share(line).value()),
                  number_or_null(annotation.utilization(line).value()), source_of(line)});
     }
@@ -73,14 +74,14 @@ std::vector<SectionBlock> build(const ReportView& view) {
   if (lines.empty()) return {};
   auto spec = spec_from(kSpec, view.report());
   spec["layer"][0]["encoding"]["color"]["legend"] = {{"orient", "top"}};  // The source is beside.
-  return {
-      Chart{"lines",
-            "The 20 lines of source that issue most, over the pieces of work that were "
-            "observed, of all scenes; a bar has the colour of the first stage that issues there. "
-            "The numbers have 200 lines.",
-            std::move(spec),
-            std::move(lines),
-            {pick_of_kernel(), pick_of_facet(), pick_of_lanes(view.report())}}};
+  return {Chart{"lines",
+                "The 20 lines of source that issue most, over the pieces of work that were "
+                "observed, of all scenes, each with the line that opened its block; a bar has the "
+                "colour of its stage. "
+                "The numbers have 200 lines.",
+                std::move(spec),
+                std::move(lines),
+                {pick_of_kernel(), pick_of_facet(), pick_of_lanes(view.report())}}};
 }
 
 }  // namespace
