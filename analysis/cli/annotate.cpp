@@ -9,8 +9,8 @@
 #include "analysis/cli/defaults.h"
 #include "analysis/cli/input.h"
 #include "analysis/cli/memory_notice.h"
+#include "analysis/cli/narration.h"
 #include "analysis/cli/output.h"
-#include "analysis/cli/progress.h"
 #include "analysis/cli/selection.h"
 #include "analysis/experiment/experiment.h"
 #include "analysis/formats/format.h"
@@ -35,7 +35,8 @@ Report run_selected(const CommandOptions& command, const Given& given) {
   ExperimentOptions options;
   options.threads = parse_threads(given.threads);
   tell_memory(configurations);
-  Progress progress(command.name());
+  Narration progress(command.name());
+  options.opening = progress.listener();
   options.progress = [&](double fraction) { progress.update(fraction); };
   return run_experiment(configurations, options);
 }

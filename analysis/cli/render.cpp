@@ -6,8 +6,8 @@
 #include "analysis/cli/defaults.h"
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/memory_notice.h"
+#include "analysis/cli/narration.h"
 #include "analysis/cli/output.h"
-#include "analysis/cli/progress.h"
 #include "analysis/experiment/draw.h"
 #include "analysis/experiment/experiment.h"
 #include "analysis/pictures/heat_map.h"
@@ -84,7 +84,8 @@ std::string picture_of(const Output& output, const Configuration& c, const Shown
 
 std::string picture_png(const Configuration& c, const Shown& shown, ExperimentOptions options) {
   if (shown.view)
-    return picture_of(*draw(c, *shown.view, options.threads, options.progress), c, shown);
+    return picture_of(*draw(c, *shown.view, options.threads, options.progress, options.opening), c,
+                      shown);
   std::string bytes;
   options.on_output = [&](const FinishedOutput& finished) {
     bytes = picture_of(finished.output, c, shown);
@@ -101,7 +102,8 @@ void render(const CommandOptions& command, const Given& given) {
   options.threads = parse_threads(given.threads);
   Destination picture(given.output);
   if (!shown.view) tell_memory({configuration});
-  Progress progress(command.name());
+  Narration progress(command.name());
+  options.opening = progress.listener();
   options.progress = [&](double fraction) { progress.update(fraction); };
   picture.write(picture_png(configuration, shown, options));
 }

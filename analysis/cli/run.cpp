@@ -4,8 +4,8 @@
 
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/memory_notice.h"
+#include "analysis/cli/narration.h"
 #include "analysis/cli/output.h"
-#include "analysis/cli/progress.h"
 #include "analysis/experiment/experiment.h"
 #include "analysis/formats/format.h"
 #include "analysis/html/page.h"
@@ -39,7 +39,8 @@ void run(const CommandOptions& command, const Given& given) {
   Destination json(given.json);
   Destination html(given.html);
   tell_memory(configurations);
-  Progress progress(command.name());
+  Narration progress(command.name());
+  options.opening = progress.listener();
   options.progress = [&](double fraction) { progress.update(fraction); };
   Report report = run_experiment(configurations, options);
   report.command = command.command_line();

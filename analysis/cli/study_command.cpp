@@ -11,8 +11,8 @@
 #include "analysis/base/json_text.h"
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/memory_notice.h"
+#include "analysis/cli/narration.h"
 #include "analysis/cli/output.h"
-#include "analysis/cli/progress.h"
 #include "analysis/cli/table_arguments.h"
 #include "analysis/configuration/configuration_json.h"
 #include "analysis/experiment/experiment.h"
@@ -104,7 +104,8 @@ Report make_report(const CommandOptions& command, const Given& given) {
   if (!given.out.empty()) make_directory(given.out);
   Pictures pictures(given.out);
   tell_memory(configurations);
-  Progress progress(command.name());
+  Narration progress(command.name());
+  options.opening = progress.listener();
   options.progress = [&](double fraction) { progress.update(fraction); };
   options.on_output = [&](const FinishedOutput& finished) { pictures.take(finished); };
   Report report = run_experiment(configurations, options);

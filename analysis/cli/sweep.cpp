@@ -10,9 +10,9 @@
 #include "analysis/base/files.h"
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/memory_notice.h"
+#include "analysis/cli/narration.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/process.h"
-#include "analysis/cli/progress.h"
 #include "analysis/cli/values.h"
 #include "analysis/configuration/configuration_json.h"
 #include "analysis/sweep/cell_claims.h"
@@ -164,7 +164,8 @@ void tell_failures(const std::string& out, const SweepDirectory& directory, cons
 SweepSummary run_shown(const Request& request, const SweepDirectory& directory,
                        const std::string& title) {
   SweepOptions options = request.options;
-  Progress progress(title);
+  Narration progress(title);
+  options.opening = progress.listener();
   options.progress = [&](const SweepProgress& p) {
     const double per_minute =
         60.0 * static_cast<double>(p.done + p.failed) / std::max(1e-3, progress.elapsed_s());

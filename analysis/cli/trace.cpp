@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "analysis/cli/experiment_arguments.h"
+#include "analysis/cli/narration.h"
 #include "analysis/cli/output.h"
-#include "analysis/cli/progress.h"
 #include "analysis/trace/chrome_trace.h"
 #include "analysis/trace/lane_strip_picture.h"
 #include "analysis/trace/listing.h"
@@ -126,12 +126,15 @@ void run(const CommandOptions& command, const Given& given) {
   const std::vector<Configuration> configurations = resolve(given);
   const TraceWindow window = resolve_window(given);
   Outputs outputs(given);
-  Progress progress(command.name());
+  Narration progress(command.name());
   for (std::size_t i = 0; i < configurations.size(); ++i)
-    trace(configurations[i], window, outputs.sinks(), [&](double fraction) {
-      progress.update((static_cast<double>(i) + fraction) /
-                      static_cast<double>(configurations.size()));
-    });
+    trace(
+        configurations[i], window, outputs.sinks(),
+        [&](double fraction) {
+          progress.update((static_cast<double>(i) + fraction) /
+                          static_cast<double>(configurations.size()));
+        },
+        progress.listener());
   outputs.write();
 }
 

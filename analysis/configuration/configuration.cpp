@@ -169,8 +169,14 @@ const Workload& workload_of(const Configuration& configuration) {
   return *find_kernel(configuration.kernel).workload;
 }
 
-std::unique_ptr<Source> open_source(const Configuration& configuration) {
-  return workload_of(configuration).open(configuration.scene, configuration.arguments);
+std::unique_ptr<Source> open_source(const Configuration& configuration,
+                                    const OpeningListener& listener) {
+  std::unique_ptr<Source> source =
+      workload_of(configuration)
+          .open(configuration.scene, configuration.arguments, listener.progress);
+  if (listener.note)
+    for (const std::string& note : source->notes()) listener.note(note);
+  return source;
 }
 
 bool same_source(const Configuration& a, const Configuration& b) {

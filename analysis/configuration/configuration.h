@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,8 +77,17 @@ Configuration resolved(const Arguments& given);
 /// The kind of work of a configuration. Requires that the program has its kernel.
 const Workload& workload_of(const Configuration& configuration);
 
+/// Who hears how a scene is opened; both may be empty.
+struct OpeningListener {
+  /// Called with the finished share, from 0 to 1.
+  OpeningProgress progress;
+  /// Called with each of the notes of the source (Source::notes).
+  std::function<void(const std::string&)> note;
+};
+
 /// Opens the scene of a configuration. Throws InputError as Workload::open does.
-std::unique_ptr<Source> open_source(const Configuration& configuration);
+std::unique_ptr<Source> open_source(const Configuration& configuration,
+                                    const OpeningListener& listener = {});
 
 /// Whether the pieces of work of two configurations are the same, so that one source feeds both.
 bool same_source(const Configuration& a, const Configuration& b);

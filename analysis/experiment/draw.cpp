@@ -8,8 +8,9 @@
 namespace lanescope {
 
 std::unique_ptr<Output> draw(const Configuration& configuration, const View& view, int threads,
-                             const std::function<void(double)>& progress) {
-  const std::unique_ptr<Source> source = open_source(configuration);
+                             const std::function<void(double)>& progress,
+                             const OpeningListener& opening) {
+  const std::unique_ptr<Source> source = open_source(configuration, opening);
   std::unique_ptr<Output> output = view.open(configuration.arguments, *source);
   std::vector<std::unique_ptr<Execution>> executions;
   for (int i = 0; i < threads; ++i)

@@ -14,6 +14,7 @@ namespace lanescope {
 /// InputError for what the configuration names and does not exist. Requires a view of the
 /// configuration's kernel or of another of its kind, and threads > 0.
 std::unique_ptr<Output> draw(const Configuration& configuration, const View& view, int threads,
-                             const std::function<void(double)>& progress);
+                             const std::function<void(double)>& progress,
+                             const OpeningListener& opening = {});
 
 }  // namespace lanescope

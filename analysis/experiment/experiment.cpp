@@ -92,7 +92,7 @@ Report run_experiment(const std::vector<Configuration>& configurations,
   require_memory(bytes);
   const std::vector<Indices> groups = group_by_source(configurations, options.group_limits);
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    GroupRun group(selected(configurations, groups[i]), outputs, options.threads);
+    GroupRun group(selected(configurations, groups[i]), outputs, options.threads, options.opening);
     group.run(all_segments(group.segment_count()), [&](double fraction) {
       if (options.progress)
         options.progress((static_cast<double>(i) + fraction) / static_cast<double>(groups.size()));

@@ -24,6 +24,8 @@ struct ExperimentOptions {
   OutputPool* outputs = nullptr;
   /// Called with the finished share of the work, from 0 to 1, on the caller's thread.
   std::function<void(double fraction)> progress;
+  /// Hears of each scene as it is opened, on the caller's thread.
+  OpeningListener opening;
   /// Called with the finished output of each configuration, on the caller's thread. Outputs are not
   /// kept: a group of configurations has its outputs only while it runs.
   std::function<void(const FinishedOutput&)> on_output;

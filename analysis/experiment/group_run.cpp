@@ -31,11 +31,11 @@ void GroupWorker::run(const Source& source, int segment) {
 }
 
 GroupRun::GroupRun(const std::vector<const Configuration*>& configurations, OutputPool& outputs,
-                   int threads)
+                   int threads, const OpeningListener& opening)
     : workload_(workload_of(*configurations.front())),
       outputs_(outputs),
       threads_(threads),
-      source_(open_source(*configurations.front())) {
+      source_(open_source(*configurations.front(), opening)) {
   for (const Configuration* c : configurations) {
     Member& member = members_.emplace_back(Member{c, &find_kernel(c->kernel), nullptr, nullptr});
     member.output = outputs.take(*c, *source_);

@@ -48,7 +48,7 @@ class GroupRun {
  public:
   /// Requires at least one configuration, all of one source, and threads > 0.
   GroupRun(const std::vector<const Configuration*>& configurations, OutputPool& outputs,
-           int threads);
+           int threads, const OpeningListener& opening = {});
   GroupRun(const GroupRun&) = delete;
   GroupRun& operator=(const GroupRun&) = delete;
   /// Gives the outputs back.

@@ -122,6 +122,7 @@ class Sweep {
     options.threads = options_.threads;
     options.group_limits = options_.group_limits;
     options.outputs = &outputs_;
+    options.opening = options_.opening;
     options.progress = [&](double fraction) { tell(fraction * expected_work(group)); };
     try {
       return run_experiment(group, options);

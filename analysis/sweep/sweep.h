@@ -38,6 +38,8 @@ struct SweepOptions {
   /// What the reports of the cells name as their command.
   std::string command;
   std::function<void(const SweepProgress&)> progress;
+  /// Hears of each scene as it is opened.
+  OpeningListener opening;
 };
 
 /// What one start of a sweep did.

@@ -98,10 +98,11 @@ void require_complete(const WindowRun& run, const Kernel& kernel, const TraceWin
 }  // namespace
 
 void trace(const Configuration& configuration, const TraceWindow& window,
-           std::span<TraceSink* const> sinks, const std::function<void(double)>& progress) {
+           std::span<TraceSink* const> sinks, const std::function<void(double)>& progress,
+           const OpeningListener& opening) {
   const Kernel& kernel = traced_kernel(configuration);
   const std::unique_ptr<RegionFilter> filter = region_filter(configuration, window);
-  const std::unique_ptr<Source> source = open_source(configuration);
+  const std::unique_ptr<Source> source = open_source(configuration, opening);
   require_memory(kernel.output_bytes(configuration.arguments));
   for (TraceSink* sink : sinks) sink->begin(configuration, kernel);
 

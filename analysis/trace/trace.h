@@ -39,11 +39,12 @@ class TraceSink {
 };
 
 /// Runs the configuration's kernel on the window and shows it to the sinks. `progress` is called
-/// with the finished share of the work, from 0 to 1.
+/// with the finished share of the work, from 0 to 1, `opening` hears how the scene is opened.
 /// Throws InputError for what the configuration names and does not exist, a kernel that issues no
 /// instructions, a region if its kind of work has none, and a window that does not lie in the
 /// picture and the scene. Requires that the window holds a batch.
 void trace(const Configuration& configuration, const TraceWindow& window,
-           std::span<TraceSink* const> sinks, const std::function<void(double)>& progress);
+           std::span<TraceSink* const> sinks, const std::function<void(double)>& progress,
+           const OpeningListener& opening = {});
 
 }  // namespace lanescope

@@ -98,7 +98,8 @@ void resolve_numbers(const std::string& scene, Arguments& arguments) {
         fmt::format("{} pieces are too many; use at most 200 in all segments", pieces));
 }
 
-std::unique_ptr<Source> open_numbers(const std::string& scene, const Arguments& arguments) {
+std::unique_ptr<Source> open_numbers(const std::string& scene, const Arguments& arguments,
+                                     const OpeningProgress& /*progress*/) {
   const auto options = decoded(numbers_parameters(), arguments);
   if (!w_numbers.is_file(scene)) {
     if (!w_numbers.find_scene(scene)) throw InputError("--scene", "there is no '{}'", scene);

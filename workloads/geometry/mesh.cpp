@@ -1,67 +1,92 @@
 // SPDX-License-Identifier: MIT
 #include "workloads/geometry/mesh.h"
 
-#include <tiny_obj_loader.h>
-
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <limits>
 
 #include "simulator/base/error.h"
-#include "workloads/geometry/obj_check.h"
+#include "workloads/geometry/obj_reader.h"
+#include "workloads/geometry/triangulation.h"
 
 namespace lanescope {
 namespace {
 
-/// One corner of a triangle as indices into the loader's arrays; no normal is -1.
-using IndexedTriangle = std::array<tinyobj::index_t, 3>;
+using IndexedTriangle = std::array<PolygonMesh::Corner, 3>;
 
-std::vector<IndexedTriangle> fans(const std::vector<tinyobj::shape_t>& shapes) {
-  std::vector<IndexedTriangle> triangles;
-  for (const tinyobj::shape_t& shape : shapes) {
-    std::size_t first = 0;
-    for (const std::size_t corners : shape.mesh.num_face_vertices) {
-      const auto* face = &shape.mesh.indices[first];
-      for (std::size_t i = 2; i < corners; ++i)
-        triangles.push_back({face[0], face[i - 1], face[i]});
-      first += corners;
-    }
-  }
-  return triangles;
+/// More would have more patches than can be counted.
+constexpr std::size_t kMaxTriangles = std::numeric_limits<int>::max() / 3;
+
+Vec3 rounded(Point3 p) {
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
-Vec3 vector_at(const std::vector<float>& values, int index) {
-  const auto i = 3 * static_cast<std::size_t>(index);
-  return {values[i], values[i + 1], values[i + 2]};
+struct Extent {
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  Point3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+
+  void add(Point3 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  double widest() const {
+    const Point3 size = high - low;
+    return std::max({size.x, size.y, size.z});
+  }
+};
+
+/// Moves and scales positions so that those that faces use are in the unit sphere.
+void normalize_positions(PolygonMesh& mesh, std::string_view path) {
+  std::vector<bool> is_used(mesh.positions.size());
+  Extent extent;
+  for (const PolygonMesh::Corner& corner : mesh.corners) {
+    is_used[corner.vertex] = true;
+    extent.add(mesh.positions[corner.vertex]);
+  }
+  const double widest = extent.widest();
+  if (!std::isfinite(widest))
+    throw InputError(path, "reaches over more than {:.2g} units; scale it down",
+                     std::numeric_limits<double>::max());
+  if (!(widest > 0.0)) throw InputError(path, "has all vertices of its faces in one point");
+  const Point3 centre = extent.low + (extent.high - extent.low) * 0.5;
+  double radius2 = 0.0;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Point3 d = mesh.positions[i] - centre;
+    mesh.positions[i] = {d.x / widest, d.y / widest, d.z / widest};
+    if (is_used[i]) radius2 = std::max(radius2, dot(mesh.positions[i], mesh.positions[i]));
+  }
+  for (Point3& p : mesh.positions) p = p * (1.0 / std::sqrt(radius2));
+
+  const auto unused = std::count(is_used.begin(), is_used.end(), false);
+  if (unused > 0)
+    mesh.notes.push_back(
+        fmt::format("{}: {} of {} vertices {} used by no face and left out of view", path, unused,
+                    is_used.size(), unused == 1 ? "is" : "are"));
 }
 
-/// Positions moved and scaled into the unit sphere, so that nothing later overflows.
-std::vector<Vec3> normalized_positions(const std::vector<float>& values, std::string_view path) {
-  constexpr float kWidest = 1e15f;
-  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-  for (std::size_t i = 0; i < values.size(); i += 3) {
-    low = {std::min(low.x, values[i]), std::min(low.y, values[i + 1]),
-           std::min(low.z, values[i + 2])};
-    high = {std::max(high.x, values[i]), std::max(high.y, values[i + 1]),
-            std::max(high.z, values[i + 2])};
+std::vector<IndexedTriangle> triangles_of(const PolygonMesh& mesh, std::string_view path) {
+  std::vector<IndexedTriangle> all;
+  all.reserve(mesh.corners.size() - 2 * mesh.face_ends.size());
+  if (all.capacity() > kMaxTriangles)
+    throw InputError(path, "has more than {} triangles; use fewer", kMaxTriangles);
+  std::vector<Point3> polygon;
+  std::vector<PolygonTriangle> triangles;
+  std::size_t begin = 0;
+  for (const std::size_t end : mesh.face_ends) {
+    polygon.clear();
+    for (std::size_t i = begin; i < end; ++i)
+      polygon.push_back(mesh.positions[mesh.corners[i].vertex]);
+    triangulate(polygon, triangles);
+    const PolygonMesh::Corner* const corners = &mesh.corners[begin];
+    for (const PolygonTriangle& t : triangles)
+      all.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
+    begin = end;
   }
-  const Vec3 size = high - low;
-  const float widest = std::max({size.x, size.y, size.z});
-  if (!(widest <= kWidest))
-    throw InputError(path, "reaches over {:.2g} units; scale it to 1e15 or less", widest);
-  if (!(widest > 0.0f)) throw InputError(path, "has all its vertices in one point");
-  const Vec3 centre = low + size * 0.5f;
-  std::vector<Vec3> positions;
-  float radius2 = 0.0f;
-  for (std::size_t i = 0; i < values.size(); i += 3) {
-    const Vec3 p = (Vec3{values[i], values[i + 1], values[i + 2]} - centre) * (1.0f / widest);
-    radius2 = std::max(radius2, dot(p, p));
-    positions.push_back(p);
-  }
-  for (Vec3& p : positions) p = p * (1.0f / std::sqrt(radius2));
-  return positions;
+  return all;
 }
 
 /// The normal of every vertex: the average over its faces, weighted by area; zero if all of them
@@ -71,11 +96,11 @@ std::vector<Vec3> averaged_normals(const std::vector<IndexedTriangle>& triangles
   std::vector<Vec3> normals(positions.size());
   bool any_area = false;
   for (const IndexedTriangle& t : triangles) {
-    const auto at = [&](std::size_t k) { return static_cast<std::size_t>(t[k].vertex_index); };
-    const Vec3 a = positions[at(0)];
-    const Vec3 twice_area = cross(positions[at(1)] - a, positions[at(2)] - a);
+    const Vec3 a = positions[t[0].vertex];
+    const Vec3 twice_area = cross(positions[t[1].vertex] - a, positions[t[2].vertex] - a);
     any_area = any_area || dot(twice_area, twice_area) > 0.0f;
-    for (std::size_t k = 0; k < 3; ++k) normals[at(k)] = normals[at(k)] + twice_area;
+    for (const PolygonMesh::Corner& corner : t)
+      normals[corner.vertex] = normals[corner.vertex] + twice_area;
   }
   if (!any_area) throw InputError(path, "has {} faces, all of zero area", triangles.size());
   return normals;
@@ -86,69 +111,57 @@ Vec3 unit_or(Vec3 v, Vec3 otherwise) {
   return size > 1e-20f && std::isfinite(size) ? v * (1.0f / size) : otherwise;
 }
 
-/// The loader takes comments only at the beginning of a line.
-std::string without_comments(std::string text) {
-  bool comment = false;
-  for (char& c : text) {
-    comment = c != '\n' && (comment || c == '#');
-    if (comment) c = ' ';
-  }
-  return text;
-}
-
-std::string read_file(const std::string& path) {
+std::string read_file(const std::string& path, const MeshProgress& progress) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     throw InputError(path, "is a folder; use a Wavefront OBJ file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(path, "cannot be opened: {}", std::strerror(errno));
-  std::string text{std::istreambuf_iterator<char>(file), {}};
+  constexpr std::size_t kBlock = 1 << 20;
+  std::string text;
+  while (file) {
+    const std::size_t size = text.size();
+    text.resize(size + kBlock);
+    file.read(text.data() + size, kBlock);
+    text.resize(size + static_cast<std::size_t>(file.gcount()));
+    if (progress) progress(0.0);  // It goes on; how large the file is may not be known.
+  }
   if (file.bad()) throw InputError(path, "cannot be read: {}", std::strerror(errno));
   return text;
 }
 
 }  // namespace
 
-TriangleMesh parse_obj(const std::string& text, std::string_view path) {
-  check_obj(text, path);
-  tinyobj::ObjReaderConfig configuration;
-  configuration.triangulate = false;
-  configuration.vertex_color = false;
-  tinyobj::ObjReader reader;
-  if (!reader.ParseFromString(without_comments(text), "", configuration))
-    throw InputError(path, "cannot be read as a Wavefront OBJ file: {}", reader.Error());
-
-  const std::vector<IndexedTriangle> triangles = fans(reader.GetShapes());
-  const std::vector<Vec3> positions = normalized_positions(reader.GetAttrib().vertices, path);
+TriangleMesh triangle_mesh(PolygonMesh polygons, std::string_view path) {
+  normalize_positions(polygons, path);
+  const std::vector<IndexedTriangle> triangles = triangles_of(polygons, path);
+  std::vector<Vec3> positions;
+  positions.reserve(polygons.positions.size());
+  for (const Point3& p : polygons.positions) positions.push_back(rounded(p));
   const std::vector<Vec3> averages = averaged_normals(triangles, positions, path);
+
   TriangleMesh mesh;
+  mesh.notes = std::move(polygons.notes);
+  mesh.triangles.reserve(triangles.size());
   for (const IndexedTriangle& t : triangles) {
     auto& corners = mesh.triangles.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto vertex = static_cast<std::size_t>(t[k].vertex_index);
-      const Vec3 average = unit_or(averages[vertex], {0.0f, 1.0f, 0.0f});
-      const int given = t[k].normal_index;
-      corners[k].position = positions[vertex];
-      corners[k].normal =
-          given < 0 ? average : unit_or(vector_at(reader.GetAttrib().normals, given), average);
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = {positions[t[k].vertex], t[k].normal == PolygonMesh::kNone
+                                                ? unit_or(averages[t[k].vertex], {0.0f, 1.0f, 0.0f})
+                                                : polygons.normals[t[k].normal]};
   }
   return mesh;
 }
 
-Scene load_mesh_scene(const std::string& path, MeshPatches patches) {
-  if (!path.ends_with(".obj") && !path.ends_with(".OBJ"))
-    throw InputError(path, "is not a mesh file that can be read; use a Wavefront OBJ file (.obj)");
-  Scene scene;
-  scene.add(make_mesh_surface(parse_obj(read_file(path), path), patches));
-  scene.camera.eye = {1.35f, 1.0f, 2.85f};
-  scene.camera.target = {};
-  scene.camera.field_degrees = 36.0f;
-  scene.camera.near = 0.2f;
-  scene.lighting.to_sun = normalized({-0.4f, 0.75f, 0.55f});
-  scene.lighting.background = {0.16f, 0.18f, 0.21f};
-  return scene;
+TriangleMesh parse_obj(std::string_view text, std::string_view path, const MeshProgress& progress) {
+  return triangle_mesh(read_obj(text, path, progress), path);
+}
+
+TriangleMesh load_mesh(const std::string& path, const MeshProgress& progress) {
+  // The text is gone before the triangles are made.
+  PolygonMesh polygons = read_obj(read_file(path, progress), path, progress);
+  return triangle_mesh(std::move(polygons), path);
 }
 
 }  // namespace lanescope

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Meshes of triangles: read from Wavefront OBJ files, turned into patches, framed by a camera.
+// Meshes of triangles: made from the polygons of a file, and turned into patches.
 #pragma once
 
 #include <array>
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "simulator/base/choice.h"
-#include "workloads/geometry/scene.h"
+#include "workloads/geometry/polygon_mesh.h"
+#include "workloads/geometry/surface.h"
 #include "workloads/geometry/vector.h"
 
 namespace lanescope {
@@ -23,26 +26,38 @@ enum class MeshPatches {
 inline constexpr std::array<Choice<MeshPatches>, 3> kMeshPatches{
     {{"linear", MeshPatches::kLinear}, {"pn", MeshPatches::kPn}, {"phong", MeshPatches::kPhong}}};
 
-struct TriangleMesh {
-  struct Corner {
-    Vec3 position;
-    Vec3 normal;  ///< Unit vector.
-  };
-  /// Counterclockwise as seen from outside.
-  std::vector<std::array<Corner, 3>> triangles;
+struct MeshCorner {
+  Vec3 position;
+  Vec3 normal;  ///< Unit vector.
 };
 
-/// Reads the faces of an OBJ file's text; polygons are cut into fans. Normals that the file does
-/// not give are averages over the faces around a vertex, weighted by area. The mesh is moved and
-/// scaled into the unit sphere about the origin. Throws InputError, whose text starts with `path`
-/// and, where there is one, the line.
-TriangleMesh parse_obj(const std::string& text, std::string_view path);
+/// Counterclockwise as seen from outside.
+using MeshTriangle = std::array<MeshCorner, 3>;
 
-/// A surface of three patches for each triangle, which meet in its middle.
+struct TriangleMesh {
+  std::vector<MeshTriangle> triangles;
+  /// What of the file was skipped or replaced: sentences that begin with the file.
+  std::vector<std::string> notes;
+};
+
+/// Called with the finished share of reading, from 0 to 1; may be empty.
+using MeshProgress = std::function<void(double)>;
+
+/// Cuts polygons into triangles. The vertices that faces use are moved and scaled into the unit
+/// sphere about the origin, before they are rounded. Corners without a normal get the average over
+/// the faces around their vertex, weighted by area. Throws InputError, whose text starts with
+/// `path`, if all vertices are in one point, if no face has an area, and for too many triangles.
+TriangleMesh triangle_mesh(PolygonMesh polygons, std::string_view path);
+
+/// Reads the text of an OBJ file. Throws InputError as read_obj and triangle_mesh do.
+TriangleMesh parse_obj(std::string_view text, std::string_view path,
+                       const MeshProgress& progress = {});
+
+/// Reads an OBJ file. Throws InputError as parse_obj does, and for files that cannot be read.
+TriangleMesh load_mesh(const std::string& path, const MeshProgress& progress = {});
+
+/// A surface of three patches for each triangle, which meet in its middle. Neighbours meet along
+/// their edge, also where they have different normals there.
 std::unique_ptr<Surface> make_mesh_surface(TriangleMesh mesh, MeshPatches patches);
-
-/// Reads an OBJ file as a scene, with a camera that frames it. Throws InputError as parse_obj does,
-/// and for files that cannot be read.
-Scene load_mesh_scene(const std::string& path, MeshPatches patches);
 
 }  // namespace lanescope

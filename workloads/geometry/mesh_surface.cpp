@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Patches of triangles. A triangle is cut into three quadrilaterals, each from a corner over the
 // middles of the two edges there to the middle of the triangle: no patch comes to a point.
+#include <optional>
+
+#include "workloads/geometry/creases.h"
 #include "workloads/geometry/mesh.h"
 
 namespace lanescope {
@@ -8,7 +11,6 @@ namespace {
 
 /// Weights of the three corners.
 using Barycentric = std::array<float, 3>;
-using Triangle = std::array<TriangleMesh::Corner, 3>;
 
 Barycentric weights(int corner, float u, float v) {
   // Bilinear between the corner, the middle of the edge to the next corner, the middle of the
@@ -23,63 +25,61 @@ Barycentric weights(int corner, float u, float v) {
   return w;
 }
 
-Vec3 linear_point(const Triangle& t, const Barycentric& w) {
+Vec3 linear_point(const MeshTriangle& t, const Barycentric& w) {
   return t[0].position * w[0] + t[1].position * w[1] + t[2].position * w[2];
 }
 
-Vec3 linear_normal(const Triangle& t, const Barycentric& w) {
+Vec3 linear_normal(const MeshTriangle& t, const Barycentric& w) {
   return t[0].normal * w[0] + t[1].normal * w[1] + t[2].normal * w[2];
 }
 
-/// `p` moved onto the tangent plane at a corner.
-Vec3 onto_plane(const TriangleMesh::Corner& corner, Vec3 p) {
-  return p - corner.normal * dot(p - corner.position, corner.normal);
-}
-
-Vec3 phong_point(const Triangle& t, const Barycentric& w) {
-  constexpr float kShare = 0.75f;  // The authors' value.
-  const Vec3 p = linear_point(t, w);
-  const Vec3 curved =
-      onto_plane(t[0], p) * w[0] + onto_plane(t[1], p) * w[1] + onto_plane(t[2], p) * w[2];
-  return mix(p, curved, kShare);
-}
-
-Vec3 pn_point(const Triangle& t, const Barycentric& w) {
-  // The control point a third of the way from corner i to corner j.
-  const auto edge = [&t](std::size_t i, std::size_t j) {
-    const Vec3 third = t[i].position * (2.0f / 3.0f) + t[j].position * (1.0f / 3.0f);
-    return onto_plane(t[i], third);
-  };
-  Vec3 sum, edges, corners;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const Vec3 from_i = edge(i, j), from_j = edge(j, i);
-    sum = sum + t[i].position * (w[i] * w[i] * w[i]) + from_i * (3.0f * w[i] * w[i] * w[j]) +
-          from_j * (3.0f * w[i] * w[j] * w[j]);
-    edges = edges + from_i + from_j;
-    corners = corners + t[i].position;
+/// How far the point of a patch lies from that of the flat triangle, against its normals. A cubic
+/// through the corners whose control points on the edges are thirds of them, moved onto the tangent
+/// planes of the nearer corners; the one in the middle goes half as far beyond the average of these
+/// as it lies from that of the corners.
+Vec3 pn_offset(const EdgeOffsets& offsets, const Barycentric& w) {
+  Vec3 sum, all;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const float here = w[e], there = w[(e + 1) % 3];
+    sum = sum + (offsets[2 * e] * here + offsets[2 * e + 1] * there) * (here * there);
+    all = all + offsets[2 * e] + offsets[2 * e + 1];
   }
-  const Vec3 middle = edges * (1.0f / 4.0f) - corners * (1.0f / 6.0f);
-  return sum + middle * (6.0f * w[0] * w[1] * w[2]);
+  return sum + all * (0.5f * w[0] * w[1] * w[2]);
 }
 
-using PointFunction = Vec3 (*)(const Triangle&, const Barycentric&);
+/// The same for the points of the triangle, moved onto the tangent planes of all corners.
+Vec3 phong_offset(const EdgeOffsets& offsets, const Barycentric& w) {
+  constexpr float kShare = 0.75f;  // The authors' value.
+  Vec3 sum;
+  for (std::size_t e = 0; e < 3; ++e)
+    sum = sum + (offsets[2 * e] + offsets[2 * e + 1]) * (w[e] * w[(e + 1) % 3]);
+  return sum * kShare;
+}
+
+using OffsetFunction = Vec3 (*)(const EdgeOffsets&, const Barycentric&);
 
 class MeshSurface final : public Surface {
  public:
-  MeshSurface(TriangleMesh mesh, PointFunction point) : mesh_(std::move(mesh)), point_(point) {}
+  /// Flat triangles if there is no function.
+  MeshSurface(TriangleMesh mesh, OffsetFunction offset)
+      : triangles_(std::move(mesh.triangles)), offset_(offset) {
+    if (offset_) creases_.emplace(triangles_);
+  }
 
-  int patch_count() const override { return 3 * static_cast<int>(mesh_.triangles.size()); }
+  int patch_count() const override { return 3 * static_cast<int>(triangles_.size()); }
 
   void evaluate(int patch, const ParameterGrid& grid, SurfacePoint* points) const override {
-    for_each(patch, grid, [&](const Triangle& t, const Barycentric& w) {
-      points->position = points->pattern = point_(t, w);
+    const EdgeOffsets offsets = offset_ ? offsets_of(patch / 3) : EdgeOffsets{};
+    for_each(patch, grid, [&](const MeshTriangle& t, const Barycentric& w) {
+      Vec3 p = linear_point(t, w);
+      if (offset_) p = p - offset_(offsets, w);
+      points->position = points->pattern = p;
       ++points;
     });
   }
 
   bool evaluate_normals(int patch, const ParameterGrid& grid, Vec3* normals) const override {
-    for_each(patch, grid, [&](const Triangle& t, const Barycentric& w) {
+    for_each(patch, grid, [&](const MeshTriangle& t, const Barycentric& w) {
       const Vec3 n = linear_normal(t, w);
       const float size = length(n);
       *normals++ = size > 1e-6f ? n * (1.0f / size) : t[0].normal;
@@ -96,32 +96,39 @@ class MeshSurface final : public Surface {
  private:
   template <class Visit>
   void for_each(int patch, const ParameterGrid& grid, Visit visit) const {
-    const Triangle& triangle = mesh_.triangles[static_cast<std::size_t>(patch / 3)];
+    const MeshTriangle& triangle = triangles_[static_cast<std::size_t>(patch / 3)];
     for (int row = 0; row < grid.rows; ++row)
       for (int column = 0; column < grid.columns; ++column)
         visit(triangle, weights(patch % 3, grid.u(column), grid.v(row)));
   }
 
-  TriangleMesh mesh_;
-  PointFunction point_;
+  EdgeOffsets offsets_of(int triangle) const {
+    const auto t = static_cast<std::size_t>(triangle);
+    const EdgeOffsets* const shared = creases_->find(t);
+    return shared ? *shared : edge_offsets(triangles_[t]);
+  }
+
+  std::vector<MeshTriangle> triangles_;
+  OffsetFunction offset_;
+  std::optional<Creases> creases_;
 };
 
-PointFunction point_function(MeshPatches patches) {
+OffsetFunction offset_function(MeshPatches patches) {
   switch (patches) {
     case MeshPatches::kLinear:
-      return linear_point;
+      return nullptr;
     case MeshPatches::kPn:
-      return pn_point;
+      return pn_offset;
     case MeshPatches::kPhong:
-      return phong_point;
+      return phong_offset;
   }
-  return linear_point;
+  return nullptr;
 }
 
 }  // namespace
 
 std::unique_ptr<Surface> make_mesh_surface(TriangleMesh mesh, MeshPatches patches) {
-  return std::make_unique<MeshSurface>(std::move(mesh), point_function(patches));
+  return std::make_unique<MeshSurface>(std::move(mesh), offset_function(patches));
 }
 
 }  // namespace lanescope

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Scene {
   Camera camera;
   Lighting lighting;
   std::vector<std::unique_ptr<Surface>> surfaces;
+  std::vector<std::string> notes;  ///< As Source::notes has them.
 
   /// Adds a surface.
   void add(std::unique_ptr<Surface> surface) { surfaces.push_back(std::move(surface)); }

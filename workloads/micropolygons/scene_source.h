@@ -9,8 +9,8 @@ namespace lanescope {
 /// Keeps the scene, and tessellates it.
 class SceneSource final : public Source {
  public:
-  SceneSource(Scene scene, const TessellationOptions& options)
-      : scene_(std::move(scene)), tessellator_(scene_, options) {}
+  SceneSource(Scene scene, const TessellationOptions& options, const OpeningProgress& progress = {})
+      : scene_(std::move(scene)), tessellator_(scene_, options, progress) {}
 
   /// The colour of samples that nothing covers, as displayed, each channel in [0, 1].
   Vec3 background() const { return scene_.lighting.background; }
@@ -19,6 +19,7 @@ class SceneSource final : public Source {
   std::vector<std::uint64_t> produce(int segment, const WorkSink& sink) const override {
     return tessellator_.tessellate(segment, sink).values();
   }
+  std::vector<std::string> notes() const override { return scene_.notes; }
 
  private:
   Scene scene_;

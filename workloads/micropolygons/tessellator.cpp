@@ -173,14 +173,16 @@ void check(const TessellationOptions& options) {
 
 }  // namespace
 
-Tessellator::Tessellator(const Scene& scene, const TessellationOptions& options)
+Tessellator::Tessellator(const Scene& scene, const TessellationOptions& options,
+                         const OpeningProgress& progress)
     : scene_(scene), options_(options) {
   check(options);
   projection_ = scene.camera.projection(options.width_px, options.height_px);
-  divide_into_segments();
+  divide_into_segments(progress);
 }
 
-void Tessellator::divide_into_segments() {
+void Tessellator::divide_into_segments(const OpeningProgress& progress) {
+  constexpr int kPatchesBetween = 1 << 12;
   segment_starts_.push_back(0);
   float quads_in_segment = 0.0f;
   const auto place = [&](const auto& self, const Patch& patch) -> void {
@@ -195,17 +197,29 @@ void Tessellator::divide_into_segments() {
       self(self, high);
       return;
     }
-    patches_.push_back(patch);
+    append(patch);
     quads_in_segment += std::max(1.0f, quads);
     if (quads_in_segment > 0.5f * kSegmentQuads) {
-      segment_starts_.push_back(patches_.size());
+      segment_starts_.push_back(runs_.size());
       quads_in_segment = 0.0f;
     }
   };
-  for (const std::unique_ptr<Surface>& surface : scene_.surfaces)
-    for (int index = 0; index < surface->patch_count(); ++index)
+  for (const std::unique_ptr<Surface>& surface : scene_.surfaces) {
+    const int count = surface->patch_count();
+    for (int index = 0; index < count; ++index) {
       place(place, Patch{surface.get(), index});
-  if (segment_starts_.back() < patches_.size()) segment_starts_.push_back(patches_.size());
+      if (progress && index % kPatchesBetween == 0) progress(static_cast<double>(index) / count);
+    }
+  }
+  if (segment_starts_.back() < runs_.size()) segment_starts_.push_back(runs_.size());
+}
+
+void Tessellator::append(const Patch& patch) {
+  const bool begins_segment = segment_starts_.back() == runs_.size();
+  if (!begins_segment && runs_.back().goes_on_with(patch))
+    ++runs_.back().count;
+  else
+    runs_.push_back({patch, 1});
 }
 
 TessellationCounts Tessellator::tessellate(int segment, const PacketSink& sink) const {
@@ -214,7 +228,10 @@ TessellationCounts Tessellator::tessellate(int segment, const PacketSink& sink) 
   SegmentTessellator work(projection_, scene_.lighting, options_, sink,
                           static_cast<std::uint64_t>(segment));
   const auto s = static_cast<std::size_t>(segment);
-  for (std::size_t i = segment_starts_[s]; i < segment_starts_[s + 1]; ++i) work.add(patches_[i]);
+  for (std::size_t i = segment_starts_[s]; i < segment_starts_[s + 1]; ++i) {
+    Patch patch = runs_[i].first;
+    for (int k = 0; k < runs_[i].count; ++k, ++patch.index) work.add(patch);
+  }
   return work.finish();
 }
 

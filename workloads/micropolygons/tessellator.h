@@ -49,8 +49,10 @@ class Tessellator {
  public:
   using PacketSink = std::function<void(const Packet&)>;
 
-  /// Keeps a reference to `scene`. Throws InputError for options out of range.
-  Tessellator(const Scene& scene, const TessellationOptions& options);
+  /// Keeps a reference to `scene`. `progress` hears how its division goes, and may be empty. Throws
+  /// InputError for options out of range.
+  Tessellator(const Scene& scene, const TessellationOptions& options,
+              const OpeningProgress& progress = {});
 
   int segment_count() const { return static_cast<int>(segment_starts_.size()) - 1; }
 
@@ -59,13 +61,25 @@ class Tessellator {
   TessellationCounts tessellate(int segment, const PacketSink& sink) const;
 
  private:
-  void divide_into_segments();
+  /// Patches of a surface that are whole and follow each other: a mesh has many.
+  struct PatchRun {
+    Patch first;
+    int count;
+
+    bool goes_on_with(const Patch& patch) const {
+      return first.depth == 0 && patch.depth == 0 && first.surface == patch.surface &&
+             first.index + count == patch.index;
+    }
+  };
+
+  void divide_into_segments(const OpeningProgress& progress);
+  void append(const Patch& patch);
 
   const Scene& scene_;
   TessellationOptions options_;
   Projection projection_;
-  std::vector<Patch> patches_;               ///< Of all segments, in order.
-  std::vector<std::size_t> segment_starts_;  ///< Segment s is patches [starts[s], starts[s + 1]).
+  std::vector<PatchRun> runs_;               ///< Of all segments, in order.
+  std::vector<std::size_t> segment_starts_;  ///< Segment s is runs [starts[s], starts[s + 1]).
 };
 
 }  // namespace lanescope

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "workloads/geometry/mesh.h"
+#include "workloads/micropolygons/mesh_scene.h"
 #include "workloads/micropolygons/region_filter.h"
 #include "workloads/micropolygons/scene_source.h"
 #include "workloads/micropolygons/surface_scene.h"
@@ -42,14 +42,26 @@ void resolve(const std::string& scene, Arguments& arguments) {
                                 built_in.frame_count - 1));
 }
 
-std::unique_ptr<Source> open(const std::string& name, const Arguments& arguments) {
+/// The share of opening a mesh that reading its file takes, about; the rest is the division into
+/// segments.
+constexpr double kReading = 0.3;
+
+OpeningProgress part_of(const OpeningProgress& progress, double begin, double end) {
+  if (!progress) return {};
+  return [=](double fraction) { progress(begin + fraction * (end - begin)); };
+}
+
+std::unique_ptr<Source> open(const std::string& name, const Arguments& arguments,
+                             const OpeningProgress& progress) {
   const auto options = decoded(scene_parameters(), arguments);
-  Scene scene = w_micropolygons.is_file(name)
-                    ? load_mesh_scene(name, options.patches.value_or(MeshPatches::kPn))
-                    : find_surface_scene(name).build(options.frame.value_or(0));
+  const bool is_mesh = w_micropolygons.is_file(name);
+  Scene scene = is_mesh ? load_mesh_scene(name, options.patches.value_or(MeshPatches::kPn),
+                                          part_of(progress, 0.0, kReading))
+                        : find_surface_scene(name).build(options.frame.value_or(0));
   if (options.turn_degrees != 0.0f) scene.camera = scene.camera.turned(options.turn_degrees);
   return std::make_unique<SceneSource>(std::move(scene),
-                                       decoded(tessellation_parameters(), arguments));
+                                       decoded(tessellation_parameters(), arguments),
+                                       part_of(progress, is_mesh ? kReading : 0.0, 1.0));
 }
 
 double expected_work(const Arguments& arguments) {
