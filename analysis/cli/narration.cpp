@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "analysis/cli/output.h"
 
 namespace lanescope {
 
 Narration::Notes::~Notes() {
-  for (const std::string& note : all_)
-    std::fputs(fmt::format("lanescope: warning: {}\n", note).c_str(), stderr);
+  for (const std::string& note : all_) tell("warning: " + note);
 }
 
 void Narration::Notes::add(const std::string& note) {
