@@ -63,8 +63,9 @@ class Parts {
     }
   }
 
-  /// The section of that id of each setting's plan, which may be different ones.
-  void add_section(std::string_view id) {
+  /// The section of that id of each setting's plan, which may be different ones. One without
+  /// figures shows `otherwise`, or is left out.
+  void add_section(std::string_view id, std::string_view otherwise = {}) {
     const Section* shown = nullptr;
     std::vector<std::vector<SectionBlock>> blocks(settings_.size());
     for (std::size_t i = 0; i < settings_.size(); ++i) {
@@ -73,7 +74,8 @@ class Parts {
       blocks[i] = section->build(settings_[i].view);
       if (!shown || i == first_) shown = section;
     }
-    const std::string html = blocks_html(blocks, first_, std::string(id));
+    std::string html = blocks_html(blocks, first_, std::string(id));
+    if (html.empty()) html = otherwise;
     if (html.empty()) {
       missing_.emplace_back(shown->title);
       return;
@@ -119,13 +121,16 @@ std::vector<std::string_view> section_ids(const std::vector<PagePlan>& plans) {
   return ids;
 }
 
+constexpr std::string_view kNoFigures =
+    "<p>There is nothing to compare: nothing that the kernels were given was drawn.</p>\n";
+
 /// First the answer, then pictures, then charts; what was run, and with what, at the end.
 std::vector<Part> parts_of(const std::vector<NamedReport>& sources, const std::string& pictures,
                            const std::vector<Setting>& settings,
                            const std::vector<PagePlan>& plans) {
   Parts parts(settings, plans);
   const std::vector<std::string_view> ids = section_ids(plans);
-  parts.add_section(ids.front());
+  parts.add_section(ids.front(), kNoFigures);
   parts.prepend_to_last(cheapest_settings(settings).html);
   parts.add({"frames", "Frames", pictures_html(sources, pictures)});
   parts.add_over_settings();

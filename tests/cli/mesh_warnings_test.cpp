@@ -55,6 +55,7 @@ TEST_F(MeshWarnings, NothingThatFacesTheViewerIsNoMistake) {
   EXPECT_EQ(outcome.errors, kBehind);
   EXPECT_NE(outcome.output.find("n/a"), std::string::npos) << outcome.output;
   run("report r.json -o r.html");
+  EXPECT_NE(file("r.html").find("There is nothing to compare"), std::string::npos);
   run("csv r.json");
   const Report culled = parse_report(file("r.json"), "r.json");
   run("run --mesh behind.obj --cull off --json s.json" + kSmall);
