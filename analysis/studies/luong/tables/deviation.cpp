@@ -24,6 +24,14 @@ void add_cells(Deviation& deviation, const ReportView& view, const UtilizationTa
                     fmt::format("{} at W = {} of {}", row, width, table.number));
 }
 
+Deviation facet_deviation(const ReportView& view, std::string_view facet, CellFigure figure_of) {
+  Deviation deviation;
+  for (const UtilizationTable& table : utilization_tables())
+    if (table.series.facet == facet)
+      add_cells(deviation, view, table, thesis_stages(table), figure_of);
+  return deviation;
+}
+
 Row deviation_row(const std::string& label, const Deviation& deviation) {
   const auto points = [&](std::optional<double> value) {
     return Cell{Figure{value, {}, &kPoints}, {}, {}};
@@ -101,11 +109,11 @@ std::optional<double> Deviation::root_mean_square(double squares) const {
 }
 
 Deviation stage_deviation(const ReportView& view, std::string_view facet) {
-  Deviation deviation;
-  for (const UtilizationTable& table : utilization_tables())
-    if (table.series.facet == facet)
-      add_cells(deviation, view, table, thesis_stages(table), utilization_figure);
-  return deviation;
+  return facet_deviation(view, facet, utilization_figure);
+}
+
+Deviation share_deviation(const ReportView& view, std::string_view facet) {
+  return facet_deviation(view, facet, share_figure);
 }
 
 }  // namespace lanescope::luong

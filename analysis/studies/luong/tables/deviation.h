@@ -25,5 +25,7 @@ struct Deviation {
 
 /// Of the utilization of the stages in the thesis's tables of triangles, or of quads.
 Deviation stage_deviation(const ReportView& view, std::string_view facet);
+/// Of their shares of the instructions.
+Deviation share_deviation(const ReportView& view, std::string_view facet);
 
 }  // namespace lanescope::luong
