@@ -57,10 +57,13 @@
     return (sign && value > 0 ? "+" : "") + digits + (kind === "%" ? "%" : "");
   }
 
+  // By the rules of csv_text.cpp: no word is a formula to a spreadsheet.
   function csvOf(columns, rows) {
     const field = (value) => {
-      const text = value === null ? "" : String(value);
-      return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+      const isFormula = typeof value === "string" && /^[=+\-@\t\r]/.test(value) &&
+        value !== "-" && Number.isNaN(Number(value));
+      const text = value === null ? "" : (isFormula ? "'" : "") + String(value);
+      return /[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
     };
     const lines = [columns.map(({title}) => field(title)),
                    ...rows.map((row) => columns.map(({name}) => field(row[name])))];
@@ -402,7 +405,7 @@
     preparePrinting();
     await showAll(parts, first);
     prepareResizing(parts);
-    window.lanescope = {drawMs: performance.now() - begin};
+    window.lanescope = {drawMs: performance.now() - begin, csvOf};
     performance.mark("lanescope-drawn");
     document.body.dataset.drawn = "true";
   }

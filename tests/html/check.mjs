@@ -87,6 +87,9 @@ async function survey() {
     sections: [...document.querySelectorAll("main h2")].map((heading) => heading.id),
     answer: document.querySelector("#answer").parentElement.querySelector("td")?.textContent,
     drawMs: window.lanescope?.drawMs,
+    csv: window.lanescope?.csvOf([{title: "=a", name: "a"}],
+                                 [{a: "=1+1"}, {a: "@x"}, {a: "-3"}, {a: -2}, {a: "-"}, {a: null},
+                                  {a: 'b,"c'}]),
     marked: performance.getEntriesByName("lanescope-drawn").length,
     headings: [...document.querySelectorAll("h1,h2,h3,h4")].map((h) => Number(h.tagName[1])),
     repeatedIds: ids.filter((id, place) => ids.indexOf(id) !== place),
@@ -140,6 +143,8 @@ function checkSurvey(seen, scheme) {
          about("has no report to save"));
   expect(seen.downloads.filter(({file}) => file.endsWith(".csv"))
     .every(({text}) => text.split(",").length > 3), about("has no CSV to save"));
+  expect(seen.csv === "'=a\n'=1+1\n'@x\n-3\n-2\n-\n\n\"b,\"\"c\"\n",
+         about(`saves what is no CSV of the program: ${seen.csv}`));
   expect(seen.drawMs > 0 && seen.marked === 1, about("does not say how long drawing took"));
   expect(seen.lang === "en", about("has no language"));
   expect(seen.repeatedIds.length === 0, about(`has ids twice: ${seen.repeatedIds}`));
