@@ -69,10 +69,11 @@ void normalize_positions(PolygonMesh& mesh, std::string_view path) {
 }
 
 std::vector<IndexedTriangle> triangles_of(const PolygonMesh& mesh, std::string_view path) {
-  std::vector<IndexedTriangle> all;
-  all.reserve(mesh.corners.size() - 2 * mesh.face_ends.size());
-  if (all.capacity() > kMaxTriangles)
+  const std::size_t count = mesh.corners.size() - 2 * mesh.face_ends.size();
+  if (count > kMaxTriangles)
     throw InputError(path, "has more than {} triangles; use fewer", kMaxTriangles);
+  std::vector<IndexedTriangle> all;
+  all.reserve(count);
   std::vector<Point3> polygon;
   std::vector<PolygonTriangle> triangles;
   std::size_t begin = 0;

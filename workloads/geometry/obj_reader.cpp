@@ -67,7 +67,7 @@ std::string suggestion(std::string_view word) {
 constexpr std::size_t kMostCorners = 100000;
 
 /// How often something was found, and where first.
-struct Tally {
+struct Finding {
   std::string_view one, many;
   std::size_t count = 0;
   std::size_t line = 0;
@@ -79,9 +79,9 @@ struct Tally {
 };
 
 /// Those that have found something, in words; empty if there are none.
-std::string text_of(std::initializer_list<const Tally*> tallies) {
+std::string text_of(std::initializer_list<const Finding*> findings) {
   std::string text;
-  for (const Tally* t : tallies) {
+  for (const Finding* t : findings) {
     if (t->count == 0) continue;
     text += fmt::format("{}{} {} (first in line {}{})", text.empty() ? "" : "; ", t->count,
                         t->count == 1 ? t->one : t->many, t->line,
@@ -313,15 +313,16 @@ class Reader {
   ObjWords words_;
   PolygonMesh mesh_;
   std::vector<std::size_t> face_lines_;
-  Tally short_faces_{"face of fewer than 3 different corners",
-                     "faces of fewer than 3 different corners"};
-  Tally not_polygons_{"point, line, curve or surface", "points, lines, curves or surfaces"};
-  Tally unknown_{"other statement", "other statements"};
-  Tally zero_textures_{"texture index 0", "texture indices 0"};
-  Tally zero_normals_{"index 0", "indices 0"};
-  Tally missing_normals_{"index of a normal that the file does not hold",
-                         "indices of normals that the file does not hold"};
-  Tally no_directions_{"normal that is zero or not finite", "normals that are zero or not finite"};
+  Finding short_faces_{"face of fewer than 3 different corners",
+                       "faces of fewer than 3 different corners"};
+  Finding not_polygons_{"point, line, curve or surface", "points, lines, curves or surfaces"};
+  Finding unknown_{"other statement", "other statements"};
+  Finding zero_textures_{"texture index 0", "texture indices 0"};
+  Finding zero_normals_{"index 0", "indices 0"};
+  Finding missing_normals_{"index of a normal that the file does not hold",
+                           "indices of normals that the file does not hold"};
+  Finding no_directions_{"normal that is zero or not finite",
+                         "normals that are zero or not finite"};
 };
 
 /// Fillers at the end of a text: of blocks, and of files of old systems.

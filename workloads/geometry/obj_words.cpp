@@ -108,9 +108,14 @@ void ObjWords::skip_blanks() {
 
 void ObjWords::skip_line_end() {
   if (at_ == end_) return;
-  const bool two = *at_ == '\r' && at_ + 1 != end_ && at_[1] == '\n';
-  at_ += two ? 2 : 1;
+  at_ = after_line_end(at_);
   ++line_here_;
+}
+
+/// What follows a line end, which may be two characters.
+const char* ObjWords::after_line_end(const char* line_end) const {
+  const bool two = *line_end == '\r' && line_end + 1 != end_ && line_end[1] == '\n';
+  return line_end + (two ? 2 : 1);
 }
 
 /// The beginning of the line that a backslash joins; null if it joins none.
@@ -118,8 +123,7 @@ const char* ObjWords::after_joint(const char* backslash) const {
   const char* const line_end = std::find_if_not(backslash + 1, end_, is_blank);
   if (line_end == end_) return end_;
   if (!is_line_end(*line_end)) return nullptr;
-  const bool two = *line_end == '\r' && line_end + 1 != end_ && line_end[1] == '\n';
-  return line_end + (two ? 2 : 1);
+  return after_line_end(line_end);
 }
 
 std::optional<double> obj_number(std::string_view word) {

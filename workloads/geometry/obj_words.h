@@ -39,6 +39,7 @@ class ObjWords {
  private:
   void skip_blanks();
   void skip_line_end();
+  const char* after_line_end(const char* line_end) const;
   const char* after_joint(const char* backslash) const;
 
   const char* at_;
