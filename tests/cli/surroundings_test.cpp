@@ -23,7 +23,11 @@ using testing::Outcome;
 
 const std::string kSmall = " --scene teapot --resolution 64x40 --kernel repack --width 8";
 /// More than a second of work, so that there is progress to show.
+#ifdef __SANITIZE_ADDRESS__
+const std::string kLong = " --scene thesis --resolution 240x150 --threads 1";
+#else
 const std::string kLong = " --scene thesis --resolution 640x400 --threads 1";
+#endif
 const std::string kListing = " --scene tigerjump --width 8 --batches 0:200000 --listing ";
 
 class Surroundings : public testing::InEmptyDirectory {
