@@ -19,15 +19,14 @@ bool same_program(const Annotation& a, const Configuration& c) {
   return a.kernel == c.kernel && a.width == c.width && a.facet == facet_of(c);
 }
 
-void add_run(Annotation& annotation, std::map<LineKey, AnnotatedLine>& lines,
+void add_run(Annotation& annotation, std::map<LineKey, SourceLineRecord>& lines,
              const RunRecord& run) {
   annotation.scenes.push_back(run.configuration.scene);
   annotation.pieces += run.source.pieces;
   annotation.pieces_observed += run.source.pieces_observed;
   for (const SourceLineRecord& record : run.source_lines) {
-    const SourcePlace place{record.file, record.line};
-    AnnotatedLine& line = lines[{place, record.stage, record.block}];
-    line.place = place;
+    SourceLineRecord& line = lines[{record.place, record.stage, record.block}];
+    line.place = record.place;
     line.stage = record.stage;
     line.block = record.block;
     line.issued += record.issued;
@@ -37,7 +36,7 @@ void add_run(Annotation& annotation, std::map<LineKey, AnnotatedLine>& lines,
   }
 }
 
-bool hotter(const AnnotatedLine& a, const AnnotatedLine& b) {
+bool hotter(const SourceLineRecord& a, const SourceLineRecord& b) {
   return std::tie(b.issued, a.place, a.stage, a.block) <
          std::tie(a.issued, b.place, b.stage, b.block);
 }
@@ -67,7 +66,7 @@ std::string shown_block(const SourcePlace& block) {
   return fmt::format("{}:{}: {}", file, block.line, text_of(block));
 }
 
-Row row_of(const Annotation& annotation, const AnnotatedLine& line) {
+Row row_of(const Annotation& annotation, const SourceLineRecord& line) {
   const auto figure = [](const Ratio& ratio) {
     return Cell{Figure{ratio.value(), std::nullopt, &kPercent}, std::nullopt, ""};
   };
@@ -78,17 +77,17 @@ Row row_of(const Annotation& annotation, const AnnotatedLine& line) {
            words(line.block ? shown_block(*line.block) : "")}};
 }
 
-std::string margin(const Annotation& annotation, const AnnotatedLine* line) {
+std::string margin(const Annotation& annotation, const SourceLineRecord* line) {
   if (!line) return fmt::format("{:>7} {:>7} {:>12}", "", "", "");
   return fmt::format("{:>7} {:>7} {:>12}", percent(annotation.share(*line)),
                      percent(annotation.utilization(*line)), line->issued);
 }
 
 std::string annotated_file(const Annotation& annotation, const SourceFile& file) {
-  std::map<std::uint32_t, AnnotatedLine> by_number;
-  for (const AnnotatedLine& line : annotation.lines)
+  std::map<std::uint32_t, SourceLineRecord> by_number;
+  for (const SourceLineRecord& line : annotation.lines)
     if (line.place.file == file.path) {
-      AnnotatedLine& sum = by_number[line.place.line];
+      SourceLineRecord& sum = by_number[line.place.line];
       sum.issued += line.issued;
       sum.active += line.active;
     }
@@ -113,13 +112,13 @@ std::string Annotation::title() const {
                      fmt::join(scenes, ", "));
 }
 
-Ratio Annotation::utilization(const AnnotatedLine& line) const {
+Ratio Annotation::utilization(const SourceLineRecord& line) const {
   return {line.active, line.issued * static_cast<std::uint64_t>(width)};
 }
 
 std::vector<Annotation> annotate(const Report& report) {
   std::vector<Annotation> annotations;
-  std::vector<std::map<LineKey, AnnotatedLine>> lines;
+  std::vector<std::map<LineKey, SourceLineRecord>> lines;
   std::vector<std::vector<const Configuration*>> configurations;
   for (const RunRecord& run : report.runs) {
     if (run.source_lines.empty()) continue;
@@ -157,8 +156,7 @@ TableData hottest_lines(const Annotation& annotation, std::size_t count) {
     table.rows.push_back(row_of(annotation, annotation.lines[i]));
   table.notes = {
       "A line of a helper is a row for each block that called it: the block, named by the line "
-      "that "
-      "opened it, says for whom."};
+      "that opened it, says for whom."};
   return table;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,33 +12,22 @@
 
 namespace lanescope {
 
-/// What was issued at a line in one block of one stage. Lines of helpers are shared: the block says
-/// for whom.
-struct AnnotatedLine {
-  SourcePlace place;
-  std::string stage;
-  std::optional<SourcePlace> block;  ///< Where it was opened, if the report says so.
-  std::uint64_t issued = 0;
-  std::uint64_t active = 0;    ///< Lanes charged.
-  std::uint64_t overhead = 0;  ///< Those of `issued` that the kernel marks as overhead.
-};
-
 /// The lines of one kernel at one width and facet, summed over the scenes of a report.
 struct Annotation {
   std::string kernel;
   int width = 0;
   std::string facet;  ///< As facet_of() has it.
   std::vector<std::string> scenes;
-  std::string setting;                ///< Of its runs, as shown_setting() has it.
-  std::uint64_t pieces = 0;           ///< Of work.
-  std::uint64_t pieces_observed = 0;  ///< What the sums are over.
-  std::uint64_t issued = 0;           ///< At all lines.
-  std::vector<AnnotatedLine> lines;   ///< Hottest first.
+  std::string setting;                  ///< Of its runs, as shown_setting() has it.
+  std::uint64_t pieces = 0;             ///< Of work.
+  std::uint64_t pieces_observed = 0;    ///< What the sums are over.
+  std::uint64_t issued = 0;             ///< At all lines.
+  std::vector<SourceLineRecord> lines;  ///< Hottest first.
 
   /// `<kernel>, W = <width>, <facet>: <scenes>`.
   std::string title() const;
-  Ratio share(const AnnotatedLine& line) const { return {line.issued, issued}; }
-  Ratio utilization(const AnnotatedLine& line) const;
+  Ratio share(const SourceLineRecord& line) const { return {line.issued, issued}; }
+  Ratio utilization(const SourceLineRecord& line) const;
 };
 
 /// An annotation for each kernel, width and facet of the report whose lines were observed, in the

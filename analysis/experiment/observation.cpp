@@ -132,8 +132,7 @@ std::vector<SourceLineRecord> MemoryAndSource::source_lines(
   std::vector<SourceLineRecord> records;
   for (auto& [place, line] : by_line) {
     const auto& [file, number, stage, block_file, block_line] = place;
-    line.file = file;
-    line.line = number;
+    line.place = {std::string(file), number};
     line.stage = stages[stage];
     if (block_line != 0) line.block = SourcePlace{std::string(block_file), block_line};
     records.push_back(std::move(line));

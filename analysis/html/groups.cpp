@@ -142,8 +142,7 @@ void add_run(Report& report, const PlacedRun& placed) {
   const Report& source = placed.source->report;
   const auto place = static_cast<std::size_t>(placed.run - source.runs.data());
   report.runs.push_back(*placed.run);
-  report.timing.kernel_ms.push_back(
-      place < source.timing.kernel_ms.size() ? source.timing.kernel_ms[place] : 0.0);
+  report.timing.kernel_ms.push_back(source.kernel_ms(place).value_or(0.0));
 }
 
 }  // namespace

@@ -62,6 +62,11 @@ std::optional<std::uint64_t> OutputRecord::counter(std::string_view name) const 
   return value_of(counters, name);
 }
 
+std::optional<double> Report::kernel_ms(std::size_t run) const {
+  if (run >= timing.kernel_ms.size()) return std::nullopt;
+  return timing.kernel_ms[run];
+}
+
 const SeriesRecord* RunRecord::find_series(std::string_view name) const {
   const auto found =
       std::find_if(series.begin(), series.end(), [&](const auto& s) { return s.name == name; });

@@ -95,8 +95,7 @@ struct SourcePlace {
 /// What was issued at one line of a kernel's source within one stage and one block, over the pieces
 /// of work observed.
 struct SourceLineRecord {
-  std::string file;
-  std::uint32_t line = 0;
+  SourcePlace place;
   std::string stage;
   std::uint64_t issued = 0;
   std::uint64_t active = 0;    ///< Lanes charged.
@@ -185,6 +184,10 @@ struct Report {
   std::vector<InstructionEntry> instructions;  ///< Those issued in some run, by mnemonic.
   std::vector<RunRecord> runs;
   Timing timing;
+
+  /// The time within the kernel of a run; none if the report is without times, as one may be that
+  /// was not read from a file.
+  std::optional<double> kernel_ms(std::size_t run) const;
 };
 
 /// Adds the names of the parameters that runs of a report have and `names` lacks, in their order.

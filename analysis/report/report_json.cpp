@@ -90,8 +90,8 @@ Json series_json(const SeriesRecord& series) {
 }
 
 Json source_line_json(const SourceLineRecord& line) {
-  Json json = {{"file", line.file},     {"line", line.line},     {"stage", line.stage},
-               {"issued", line.issued}, {"active", line.active}, {"overhead", line.overhead}};
+  Json json = {{"file", line.place.file}, {"line", line.place.line}, {"stage", line.stage},
+               {"issued", line.issued},   {"active", line.active},   {"overhead", line.overhead}};
   if (line.block) json["block"] = {{"file", line.block->file}, {"line", line.block->line}};
   return json;
 }

@@ -148,8 +148,9 @@ class StageReader {
   const Charges& charges_;
 };
 
-std::uint32_t read_line_number(const JsonCursor& cursor) {
-  return static_cast<std::uint32_t>(cursor.member("line").integer(1));
+SourcePlace read_place(const JsonCursor& cursor) {
+  return {cursor.member("file").string(),
+          static_cast<std::uint32_t>(cursor.member("line").integer(1))};
 }
 
 /// Where a block was opened; reports of earlier programs do not say.
@@ -157,13 +158,12 @@ std::optional<SourcePlace> read_block(const JsonCursor& line) {
   if (!line.has_member("block")) return std::nullopt;
   const JsonCursor block = line.member("block");
   block.require_members({"file", "line"});
-  return SourcePlace{block.member("file").string(), read_line_number(block)};
+  return read_place(block);
 }
 
 SourceLineRecord read_source_line(const JsonCursor& cursor) {
   cursor.allow_members({"file", "line", "stage", "issued", "active", "overhead", "block"});
-  return {cursor.member("file").string(),
-          read_line_number(cursor),
+  return {read_place(cursor),
           cursor.member("stage").string(),
           cursor.member("issued").count(),
           cursor.member("active").count(),

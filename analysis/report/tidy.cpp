@@ -139,9 +139,7 @@ void add_run_row(TidyTable& table, const Place& place) {
   row.set("results_hash", tidy_hash(run.results_hash));
   row.set("output_hash", tidy_hash(run.output.hash));
   set_pieces(row, run.source);
-  // A report that was not read from a file may be without times.
-  const std::vector<double>& times = place.source.report.timing.kernel_ms;
-  row.set("kernel_ms", place.index < times.size() ? number_text(times[place.index]) : "");
+  row.set("kernel_ms", number_text(place.source.report.kernel_ms(place.index)));
   if (!run.stages.empty()) set_counts(row, total(run), place);
   set_counters(row, "source", run.source.counters);
   set_counters(row, "counter", run.counters);

@@ -19,6 +19,7 @@
 #include "analysis/pictures/image.h"
 #include "analysis/tables/means.h"
 #include "simulator/base/error.h"
+#include "tests/analysis/charts.h"
 #include "tests/analysis/sample_report.h"
 #include "tests/scratch_directory.h"
 
@@ -26,6 +27,7 @@ namespace lanescope {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using testing::last_of;
 using testing::sample_report;
 
 TEST(HtmlMarkup, EscapesWhatCouldEndATextOrAnAttribute) {
@@ -178,23 +180,8 @@ ReportView two_scenes(const Report& report) {
   return ReportView(report, scenes_of(report, {"ballroll", "columnpivot"}));
 }
 
-/// The chart of a section of the sample.
 Chart chart_of(const Report& report, std::string_view section_id, std::string_view chart_id) {
-  for (const Section* section : sections()) {
-    if (section->id != section_id) continue;
-    for (SectionBlock& block : section->build(two_scenes(report)))
-      if (Chart* chart = std::get_if<Chart>(&block); chart && chart->id == chart_id) return *chart;
-  }
-  ADD_FAILURE() << section_id << ' ' << chart_id;
-  return {};
-}
-
-/// The last value of the row that begins with these values.
-Json last_of(const Chart& chart, const std::vector<Json>& begin, std::size_t from_end = 0) {
-  for (const std::vector<Json>& row : chart.rows.rows())
-    if (std::equal(begin.begin(), begin.end(), row.begin())) return row[row.size() - 1 - from_end];
-  ADD_FAILURE() << "no row " << Json(begin).dump();
-  return {};
+  return testing::chart_of(sections(), two_scenes(report), section_id, chart_id);
 }
 
 TEST(HtmlCharts, UtilizationIsTheMeanOverTheScenes) {
@@ -483,6 +470,16 @@ TEST(HtmlPage, EmbedsThePictures) {
   EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBOR"), 1u);
   write_file(directory + "/frame-ballroll.png", "no picture");
   EXPECT_THROW(report_page({{"a.json", sample_report()}}, directory, general_plan), InputError);
+}
+
+/// Nothing faced the viewer: every mean is of nothing.
+TEST(HtmlPage, SaysThatThereIsNothingToCompare) {
+  Report report = sample_report();
+  for (RunRecord& run : report.runs)
+    for (CounterRecord& counter : run.counters) counter.value = 0;
+  const std::string page = report_page({{"a.json", report}}, ".", general_plan);
+  EXPECT_EQ(count(page, "There is nothing to compare"), 1u);
+  EXPECT_EQ(count(page, "These runs counted nothing"), 0u);
 }
 
 TEST(HtmlPage, RefusesReportsWithoutRuns) {

@@ -128,13 +128,13 @@ TEST_F(Observing, AddsUpByLineOfSource) {
   }
   const auto lines = seen.source_lines(kStages);
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0].file, "tests/analysis/observation_test.cpp");
-  EXPECT_EQ(lines[0].line, kLine);
+  EXPECT_EQ(lines[0].place.file, "tests/analysis/observation_test.cpp");
+  EXPECT_EQ(lines[0].place.line, kLine);
   EXPECT_EQ(lines[0].stage, "Only");
   EXPECT_EQ(lines[0].issued, 3u);
   EXPECT_EQ(lines[0].active, 6u);
   EXPECT_EQ(lines[0].overhead, 0u);
-  EXPECT_EQ(lines[1].line, kLine + 1);
+  EXPECT_EQ(lines[1].place.line, kLine + 1);
   EXPECT_EQ(lines[1].overhead, 3u);
 }
 
@@ -154,7 +154,7 @@ TEST_F(Observing, TellsTheBlocksOfALineApart) {
   helped(extra, ints({1, 2, 3}));
   const auto lines = seen.source_lines(kStages);
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0].line, lines[1].line);
+  EXPECT_EQ(lines[0].place.line, lines[1].place.line);
   EXPECT_EQ(lines[0].block, (SourcePlace{"tests/analysis/observation_test.cpp", kLine}));
   EXPECT_EQ(lines[0].issued, 2u);
   EXPECT_EQ(lines[0].active, 6u);
@@ -221,8 +221,9 @@ TEST_P(WholeRun, SourceLinesAddUpToTheCounts) {
       sum.issued += line.issued;
       sum.active += line.active;
       sum.overhead += line.overhead;
-      EXPECT_FALSE(source_line(line.file, line.line).empty()) << line.file << ":" << line.line;
-      ASSERT_TRUE(line.block) << line.file << ":" << line.line;
+      EXPECT_FALSE(source_line(line.place.file, line.place.line).empty())
+          << line.place.file << ":" << line.place.line;
+      ASSERT_TRUE(line.block) << line.place.file << ":" << line.place.line;
       const std::string_view opening = source_line(line.block->file, line.block->line);
       EXPECT_NE(opening.find(".on("), opening.npos) << line.block->file << ":" << line.block->line;
     }

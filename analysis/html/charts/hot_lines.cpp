@@ -20,13 +20,13 @@ std::string short_place(const SourcePlace& place) {
 }
 
 /// With the block that it is issued in: lines of helpers are issued in many.
-std::string place_of(const AnnotatedLine& line) {
+std::string place_of(const SourceLineRecord& line) {
   return line.block ? fmt::format("{} in {}", short_place(line.place), short_place(*line.block))
                     : short_place(line.place);
 }
 
 /// Without the white space before it.
-std::string source_of(const AnnotatedLine& line) {
+std::string source_of(const SourceLineRecord& line) {
   std::string_view text = source_line(line.place.file, line.place.line);
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   if (text.size() <= kCharacters) return std::string(text);
@@ -44,7 +44,7 @@ DataFrame rows(const ReportView& view) {
   for (const Annotation& annotation : annotate(view.report())) {
     const Series series{annotation.kernel, annotation.facet};
     for (std::size_t i = 0; i < std::min(kLines, annotation.lines.size()); ++i) {
-      const AnnotatedLine& line = annotation.lines[i];
+      const SourceLineRecord& line = annotation.lines[i];
       frame.add({shown_kernel(series.kernel), shown_facet(series), annotation.width, i + 1,
                  fmt::format("{}:{}", line.place.file, line.place.line), place_of(line), line.stage,
                  number_or_null(annotation.share(line).value()),

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The study's sections of the page: charts and where they stand.
+#include "tests/analysis/charts.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +16,7 @@ namespace lanescope::luong {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using lanescope::testing::last_of;
 using lanescope::testing::sample_report;
 
 TEST(LuongCrossing, InterpolatesOverTheLogarithmOfW) {
@@ -36,23 +39,9 @@ TEST(LuongCrossing, IsNoneOnOneSide) {
   EXPECT_EQ(crossing_point({}), std::nullopt);
 }
 
-/// The chart of a section of the sample.
 Chart chart_of(const Report& report, std::string_view section_id, std::string_view chart_id) {
-  for (const Section* section : luong_sections()) {
-    if (section->id != section_id) continue;
-    for (SectionBlock& block : section->build(view_of(study_luong, report)))
-      if (Chart* chart = std::get_if<Chart>(&block); chart && chart->id == chart_id) return *chart;
-  }
-  ADD_FAILURE() << section_id << ' ' << chart_id;
-  return {};
-}
-
-/// The last value of the row that begins with these values.
-Json last_of(const Chart& chart, const std::vector<Json>& begin, std::size_t from_end = 0) {
-  for (const std::vector<Json>& row : chart.rows.rows())
-    if (std::equal(begin.begin(), begin.end(), row.begin())) return row[row.size() - 1 - from_end];
-  ADD_FAILURE() << "no row " << Json(begin).dump();
-  return {};
+  return lanescope::testing::chart_of(luong_sections(), view_of(study_luong, report), section_id,
+                                      chart_id);
 }
 
 TEST(LuongCharts, UtilizationIsSummedWithoutSetup) {
