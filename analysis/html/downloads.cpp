@@ -46,9 +46,10 @@ std::string downloads_html(const std::vector<NamedReport>& sources) {
   text += link("stages.csv", "text/csv", "stages.csv: a row for each stage of a run",
                tidy_csv(tidy(sources, TidyRows::kStages)));
   return text +
-         "</ul>\n<p class=\"note\">Below each chart, its numbers can be saved as CSV, too; the "
-         "menu "
-         "beside it saves it as a picture.</p>\n";
+         "</ul>\n"
+         "<p class=\"note\">Below each chart, its numbers can be saved as CSV, too; the menu "
+         "beside "
+         "it saves it as a picture.</p>\n";
 }
 
 }  // namespace lanescope

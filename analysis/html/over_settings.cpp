@@ -198,7 +198,6 @@ Chart instructions_chart(const std::vector<Setting>& settings, const SettingAxis
 
 Chart utilization_over(const std::vector<Setting>& settings, const SettingAxis& axis) {
   constexpr std::string_view kSpec = R"json({
-    "transform": [{"calculate": "'W = ' + datum.lanes", "as": "machine"}],
     "facet": {"field": "kernel", "title": null, "sort": "@kernels"},
     "columns": 2,
     "spec": {
@@ -245,15 +244,15 @@ Markup cheapest_settings(const std::vector<Setting>& settings) {
   if (rows.empty()) return {};
   std::string head;
   for (const int width : widths) head += fmt::format("<th scope=\"col\">W = {}</th>", width);
-  return {fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\"><table class=\"answer\">\n<caption>Of all settings, "
-      "the "
-      "fewest instructions for each {}, and at which {} <span class=\"of\">All stages; {}</span>"
-      "</caption>\n<thead><tr><th scope=\"col\">Kernel</th>{}</tr></thead>\n<tbody>\n{}</tbody>\n"
-      "</table></div>\n",
-      html_escaped(element_of(settings.front().group->report).name),
-      html_escaped(fmt::format("{}", fmt::join(names, ", "))),
-      html_escaped(settings.front().view.caption()), head, rows)};
+  return {
+      fmt::format("<div class=\"scroll\" tabindex=\"0\"><table class=\"answer\">\n"
+                  "<caption>Of all settings, the fewest instructions for each {}, and at which {} "
+                  "<span class=\"of\">All stages; {}</span></caption>\n"
+                  "<thead><tr><th scope=\"col\">Kernel</th>{}</tr></thead>\n<tbody>\n{}</tbody>\n"
+                  "</table></div>\n",
+                  html_escaped(element_of(settings.front().group->report).name),
+                  html_escaped(fmt::format("{}", fmt::join(names, ", "))),
+                  html_escaped(settings.front().view.caption()), head, rows)};
 }
 
 std::vector<SectionBlock> over_parameter(const std::vector<Setting>& settings,

@@ -38,9 +38,8 @@ TableData build(const ReportView& view) {
                                      "Stage: instruction", rows);
   data.notes = {
       "In the pieces of work that were observed (observe_every). A line has 64 bytes. A conflict "
-      "is "
-      "a lane that stores to an element that an earlier lane of the same execution stored to; they "
-      "are of the lanes that were on."};
+      "is a lane that stores to an element that an earlier lane of the same execution stored to; "
+      "they are of the lanes that were on."};
   return data;
 }
 

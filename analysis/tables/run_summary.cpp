@@ -43,7 +43,7 @@ TableData summary(const Report& report) {
   data.name = "run";
   data.setting = view.setting();
   data.title = fmt::format("{} on {}{}{}", c.kernel, c.scene, facet.empty() ? "" : ", ", facet);
-  for (const int width : widths_of(report)) data.columns.push_back(fmt::format("W = {}", width));
+  data.columns = width_headers(widths_of(report));
   add(data, "Utilization (share of the instructions of all stages)",
       utilization_rows(view, series));
   add(data, "Instructions for each element", instruction_rows(view, series));

@@ -124,8 +124,7 @@ TableData table_over_widths(
   TableData data;
   data.title = std::move(title);
   data.row_header = std::move(row_header);
-  for (const int width : widths_of(view.report()))
-    data.columns.push_back(fmt::format("W = {}", width));
+  data.columns = width_headers(widths_of(view.report()));
   for (const Series& series : series_of(view.report())) {
     const std::vector<Row> own = rows(view, series);
     if (own.empty()) continue;

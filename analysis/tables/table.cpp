@@ -49,6 +49,12 @@ std::vector<TableData> build_tables(const std::vector<const Table*>& tables,
   return built;
 }
 
+std::vector<std::string> width_headers(const std::vector<int>& widths) {
+  std::vector<std::string> headers;
+  for (const int width : widths) headers.push_back(fmt::format("W = {}", width));
+  return headers;
+}
+
 std::string shown_subject(const TableData& data) {
   if (data.caption.empty() || data.setting.empty()) return data.caption + data.setting;
   return fmt::format("{}; {}", data.caption, data.setting);

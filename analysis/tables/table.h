@@ -97,6 +97,9 @@ TableData build_table(const Table& table, const ReportView& view);
 std::vector<TableData> build_tables(const std::vector<const Table*>& tables,
                                     const ReportView& view);
 
+/// The headers of a column for each width: `W = 8`.
+std::vector<std::string> width_headers(const std::vector<int>& widths);
+
 /// What the figures of a table are of: its caption and its setting.
 std::string shown_subject(const TableData& data);
 

@@ -27,8 +27,7 @@ TableData headline(const ReportView& view) {
   data.caption = view.caption();
   data.setting = view.setting();
   data.row_header = "Kernel";
-  for (const int width : lanescope::widths_of(view.report()))
-    data.columns.push_back(fmt::format("W = {}", width));
+  data.columns = width_headers(lanescope::widths_of(view.report()));
   for (const Series& series : series_of(view.report())) {
     const std::string_view key = thesis_key(series);
     data.rows.push_back(

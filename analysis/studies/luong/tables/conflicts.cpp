@@ -28,8 +28,7 @@ TableData build(const ReportView& view) {
   TableData data;
   data.title = "Conflicts in Process: two lanes that hit one sample";
   data.row_header = "Kernel";
-  for (const int width : widths_of(view, kLockstepTriangle))
-    data.columns.push_back(fmt::format("W = {}", width));
+  data.columns = width_headers(widths_of(view, kLockstepTriangle));
   add_block(data, view, "Of all invocations of Process, those with a conflict",
             conflicting_invocations);
   add_block(data, view, "Of all hits, those on a sample that an earlier lane of the invocation hit",

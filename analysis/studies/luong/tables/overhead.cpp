@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 
 #include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
@@ -25,8 +24,7 @@ TableData build(const ReportView& view) {
   TableData data;
   data.title = "Table 4.3: REPACK, triangles: overhead of each stage";
   data.row_header = "Stage";
-  for (const int width : widths_of(view, kRepackTriangle))
-    data.columns.push_back(fmt::format("W = {}", width));
+  data.columns = width_headers(widths_of(view, kRepackTriangle));
   data.columns.push_back("Mean over W");
   for (const std::string_view stage : kThesisStages) data.rows.push_back(stage_row(view, stage));
   data.notes = {

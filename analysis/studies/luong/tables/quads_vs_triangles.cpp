@@ -63,8 +63,7 @@ TableData build(const ReportView& view) {
   TableData data;
   data.title = "Table 4.6: LOCKSTEP: instructions for each micropolygon, triangles and quads";
   data.row_header = "Stage";
-  for (const int width : widths_of(view, kLockstepTriangle))
-    data.columns.push_back(fmt::format("W = {}", width));
+  data.columns = width_headers(widths_of(view, kLockstepTriangle));
   add_block(data, view, kLockstepTriangle, "Triangles");
   add_block(data, view, kLockstepQuad, "Quads");
   add_ratio(data, view);

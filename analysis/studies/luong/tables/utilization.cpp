@@ -97,7 +97,7 @@ TableData build_utilization(const ReportView& view, const UtilizationTable& tabl
       fmt::format("Table {}: {}, {}: utilization (share of the instructions, without Setup)",
                   table.number, shown_kernel(series.kernel), plural(series.facet));
   data.row_header = "Stage";
-  for (const int width : widths) data.columns.push_back(fmt::format("W = {}", width));
+  data.columns = width_headers(widths);
   for (const std::string_view stage : thesis_stages(table))
     data.rows.push_back(stage_row(view, table, stage));
   data.rows.push_back(width_row("Overall, without Setup", widths, [&](int width) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 
 #include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
@@ -24,8 +23,7 @@ TableData build(const ReportView& view) {
   TableData data;
   data.title = "REPACK: working set, in multiples of the width";
   data.row_header = "Micropolygons alive";
-  for (const int width : widths_of(view, kRepackTriangle))
-    data.columns.push_back(fmt::format("W = {}", width));
+  data.columns = width_headers(widths_of(view, kRepackTriangle));
   for (const Series& series : {kRepackTriangle, kRepackQuad}) {
     data.rows.push_back(working_set_row(view, "Average, " + plural(series.facet), series,
                                         average_working_set, "average"));
