@@ -176,10 +176,20 @@ class Resolution {
     return axes;
   }
 
-  /// Of the parameters of the kernel, and its width.
+  /// Of the parameters of the kernel, and its width. Widths that are asked for are of kernels that
+  /// have lanes: a scalar one beside them runs as it is.
   std::vector<ParameterAxis> axes_of(const Kernel& kernel) const {
     std::vector<const Parameter*> parameters = pointers(kernel.parameters);
     const Parameter* const width = find_parameter(kWidth);
+    const bool is_beside_others =
+        kernel.most_width == 1 && std::any_of(kernels_.begin(), kernels_.end(), [](const Kernel* k) {
+          return k->most_width > 1;
+        });
+    if (is_beside_others) {
+      std::vector<ParameterAxis> axes = axes_of(parameters);
+      axes.push_back(single_axis(kWidth, {std::uint64_t{1}}));
+      return axes;
+    }
     parameters.push_back(width);
     std::vector<ParameterAxis> axes = axes_of(parameters);
     if (text_of(arguments_, width->words.option).empty() && !arguments_.defaults.contains(kWidth)) {

@@ -27,7 +27,7 @@ LANESCOPE_INLINE T fold_integers(Mask<W> active, const Vec<T, W>& a, T start, F&
     folded = f(folded, host::blend(active.chunk(c), a.chunk[c], host::broadcast<Chunk>(start)));
   });
   T result = start;
-  for (int i = 0; i < kChunkLanes<W>; ++i) result = f(result, T(folded[i]));
+  for (int i = 0; i < kChunkLanes<W>; ++i) result = T(f(result, T(folded[i])));
   return result;
 }
 
@@ -98,10 +98,13 @@ struct Hadd {
                                          InstructionClass::kReduce, Charge::kActiveLanes,
                                          "begins with +0, which is also the sum of no lane"};
   template <int W, class T>
-  static T apply(Mask<W> active, const Vec<T, W>& a) {
-    return detail_reduce::fold(active, a, T{}, [](T x, T y) {
-      return host::wrapped<T>(host::wrapping(x) + host::wrapping(y));
-    });
+  LANESCOPE_INLINE static T apply(Mask<W> active, const Vec<T, W>& a) {
+    if constexpr (std::is_integral_v<T>)
+      return detail_reduce::fold_integers(active, a, T{}, [](auto x, auto y) {
+        return host::wrapped<decltype(x)>(host::wrapping(x) + host::wrapping(y));
+      });
+    else
+      return detail_reduce::fold(active, a, T{}, [](T x, T y) { return x + y; });
   }
 };
 inline constexpr Instruction<Hadd> hadd;
@@ -111,8 +114,8 @@ struct Hand {
                                          InstructionClass::kReduce, Charge::kActiveLanes,
                                          "all bits set if no lane is active"};
   template <int W, host::Integers T>
-  static T apply(Mask<W> active, const Vec<T, W>& a) {
-    return detail_reduce::fold(active, a, T(~T{}), [](T x, T y) { return T(x & y); });
+  LANESCOPE_INLINE static T apply(Mask<W> active, const Vec<T, W>& a) {
+    return detail_reduce::fold_integers(active, a, T(~T{}), [](auto x, auto y) { return x & y; });
   }
 };
 inline constexpr Instruction<Hand> hand;
@@ -122,8 +125,8 @@ struct Hor {
                                          InstructionClass::kReduce, Charge::kActiveLanes,
                                          "0 if no lane is active"};
   template <int W, host::Integers T>
-  static T apply(Mask<W> active, const Vec<T, W>& a) {
-    return detail_reduce::fold(active, a, T{}, [](T x, T y) { return T(x | y); });
+  LANESCOPE_INLINE static T apply(Mask<W> active, const Vec<T, W>& a) {
+    return detail_reduce::fold_integers(active, a, T{}, [](auto x, auto y) { return x | y; });
   }
 };
 inline constexpr Instruction<Hor> hor;

@@ -15,13 +15,6 @@ std::vector<const Kernel*> rasterizers() {
   return all;
 }
 
-std::vector<int> tried_widths(const Kernel& kernel) {
-  std::vector<int> widths;
-  for (const int width : kTriedWidths)
-    if (width <= kernel.most_width) widths.push_back(width);
-  return widths;
-}
-
 Arguments arguments_of(const KernelOptions& options, Micropolygon shape) {
   Arguments arguments = encoded(raster_parameters(), options);
   for (const auto& [name, value] : encoded(repack_parameters(), options).all())

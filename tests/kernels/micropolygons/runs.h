@@ -9,18 +9,13 @@
 #include "kernels/kernel.h"
 #include "kernels/micropolygons/frame.h"
 #include "kernels/micropolygons/options.h"
+#include "tests/kernels/tried_widths.h"
 #include "workloads/micropolygons/micropolygon.h"
 
 namespace lanescope::test {
 
-/// Widths that the tests try: powers of two, their neighbours, and some that are neither.
-inline constexpr int kTriedWidths[] = {1, 3, 4, 7, 8, 15, 16, 17, 31, 32, 33, 47, 63, 64};
-
 /// The kernels of this kind of work.
 std::vector<const Kernel*> rasterizers();
-
-/// Those of kTriedWidths that the kernel can be started with.
-std::vector<int> tried_widths(const Kernel& kernel);
 
 /// What a kernel made of some packets.
 struct Outcome {

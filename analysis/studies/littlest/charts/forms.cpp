@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "analysis/html/markup.h"
+#include "analysis/html/spec.h"
+#include "analysis/studies/littlest/figures.h"
+
+namespace lanescope::littlest {
+namespace {
+
+/// The world, W, the program that wins, and what it needs.
+DataFrame winners(const ReportView& view) {
+  DataFrame frame({{"facet", "Projection", ""},
+                   {"scene", "World", ""},
+                   {"place", "Place of the world", ""},
+                   {"lanes", "W", ""},
+                   {"kernel", "Fewest instructions", ""},
+                   {"cost", "Instr./octant", ".1f"}});
+  const Report& report = view.report();
+  std::vector<std::string> scenes = view.scenes();
+  for (const Filled& filled : filled_scenes(report)) scenes.push_back(filled.scene);
+  for (const std::string_view projection : {kFaces, kDirections})
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      for (const int width : widths_of(report))
+        if (const auto best = winner(ReportView(report, scenes[i]), projection, width))
+          frame.add({shown_facet(best->series), scenes[i], i, width,
+                     shown_kernel(best->series.kernel), best->per_octant});
+  return frame;
+}
+
+constexpr std::string_view kWinners = R"json({
+  "width": 560, "height": {"step": 34},
+  "encoding": {
+    "x": {"field": "lanes", "type": "ordinal", "title": "W (lanes)", "axis": {"labelAngle": 0}},
+    "y": {"field": "scene", "type": "ordinal", "title": null, "sort": {"field": "place"}}},
+  "layer": [
+    {"mark": {"type": "rect", "stroke": "white", "opacity": 0.55},
+     "encoding": {"color": {"field": "kernel", "type": "nominal", "title": "Fewest instructions",
+                            "sort": "@kernels"}}},
+    {"mark": {"type": "text", "fill": "currentColor"},
+     "encoding": {"text": {"field": "cost", "type": "quantitative", "format": ".1f"}}}]
+})json";
+
+DataFrame costs_over_fill(const ReportView& view) {
+  DataFrame frame(series_columns({{"filled", "Filled", ".0%"}, {"cost", "Instr./octant", ".1f"}}));
+  const Report& report = view.report();
+  for (const Series& series : programs_of(report))
+    for (const int width : widths_of(report))
+      for (const Filled& filled : filled_scenes(report))
+        if (const auto cost = per_octant(ReportView(report, filled.scene), series, width))
+          frame.add({shown_kernel(series.kernel), shown_facet(series), width, filled.share, *cost});
+  return frame;
+}
+
+constexpr std::string_view kOverFill = R"json({
+  "width": 560, "height": 300,
+  "mark": {"type": "line", "point": true},
+  "encoding": {
+    "x": {"field": "filled", "type": "quantitative", "title": "Share of the cubes that is filled",
+          "scale": {"type": "log"}, "axis": {"format": "%", "values": [0.01, 0.05, 0.2, 0.4, 0.6]}},
+    "y": {"field": "cost", "type": "quantitative", "title": "Instructions for each octant"},
+    "color": {"field": "kernel", "type": "nominal", "title": null, "sort": "@kernels"}}
+})json";
+
+std::vector<SectionBlock> build(const ReportView& view) {
+  const Report& report = view.report();
+  if (programs_of(report).empty()) return {};
+  return {Chart{"winners",
+                "The program that needs the fewest instructions for an octant, and how many.",
+                spec_from(kWinners, report), winners(view), {pick_of_facet()}},
+          Chart{"fill", "Instructions for each octant over how full the world is; scattered cubes.",
+                spec_from(kOverFill, report), costs_over_fill(view),
+                {pick_of_facet(), pick_of_lanes(report)}}};
+}
+
+}  // namespace
+}  // namespace lanescope::littlest
+
+namespace lanescope {
+
+extern const Section littlest_s_forms{
+    "forms", "Which form wins where",
+    "The same images from four programs: what a lane is decides what they cost.", littlest::build};
+
+}  // namespace lanescope

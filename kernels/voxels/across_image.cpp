@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "kernels/voxels/across_image.h"
+
+#include "kernels/kernel.h"
+#include "kernels/voxels/counters.h"
+#include "kernels/voxels/starters.h"
+#include "kernels/widths.h"
+#include "workloads/voxels/workload.h"
+
+namespace lanescope {
+
+extern const Kernel k_across_image;
+const Kernel k_across_image{
+    .name = "across_image",
+    .summary = "the article's form: a lane is a word of the image",
+    .workload = &w_voxels,
+    .stages = kProbeStages,
+    .counters = kProbeCounters,
+    .metrics = kProbeMetrics,
+    .element = kProbeElement,
+    .most_width = kMostLanes,
+    .open = open_probe_field,
+    .output_bytes = probe_field_bytes,
+    .start = start_across_image,
+};
+
+}  // namespace lanescope

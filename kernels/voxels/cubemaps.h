@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Cubemaps of one bit a pixel, of some probes of a world, to be looked at.
+#pragma once
+
+#include "kernels/kernel.h"
+
+namespace lanescope {
+
+std::unique_ptr<Output> open_cubemaps(const Arguments& arguments, const Source& source);
+std::unique_ptr<Execution> start_cubemaps(const Launch& launch);
+
+}  // namespace lanescope

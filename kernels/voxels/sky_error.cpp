@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// How far off the light is that probes give: by their samples, and by harmonics that end at the
+// first order.
+#include <cmath>
+#include <numbers>
+
+#include "kernels/voxels/counters.h"
+#include "kernels/voxels/options.h"
+#include "kernels/voxels/probe_field.h"
+#include "kernels/voxels/voxel_rays.h"
+#include "workloads/voxels/workload.h"
+
+namespace lanescope {
+namespace {
+
+using SkyHarmonics = std::array<double, kHarmonics>;
+
+const double kConstant = std::sqrt(1.0 / (4.0 * std::numbers::pi));
+const double kLinear = std::sqrt(3.0 / (4.0 * std::numbers::pi));
+
+/// Surfaces to be lit: towards each axis, either way.
+constexpr int kNormals = 6;
+/// What a surface under an open sky receives.
+constexpr double kOpenLight = std::numbers::pi;
+/// Squares of errors are counted in this unit.
+constexpr double kUnit = 1e-9;
+
+enum ErrorCounter : std::size_t {
+  kErrorProbes,
+  kLights,
+  kSquaredSampling,
+  kSquaredOrder,
+  kSquaredTotal,
+  kSquaredHarmonics,
+  kErrorCounterCount,
+};
+
+constexpr std::array<CounterInfo, kErrorCounterCount> kErrorCounters{{
+    {"probes", "corners that were rendered from", "probes"},
+    {"lights", "surfaces lit: six at each probe, towards each axis either way", "lights"},
+    {"squared_sampling_error",
+     "squares of errors of light by harmonics of the samples, against harmonics of 4096 rays",
+     "1e-9 open skies squared"},
+    {"squared_order_error",
+     "squares of errors of light by harmonics of 4096 rays, against the light of the rays",
+     "1e-9 open skies squared"},
+    {"squared_total_error",
+     "squares of errors of light by harmonics of the samples, against the light of 4096 rays",
+     "1e-9 open skies squared"},
+    {"squared_harmonics_error",
+     "squares of distances of harmonics of the samples from those of 4096 rays",
+     "1e-9 harmonics of an open sky squared"},
+}};
+
+constexpr std::array<MetricInfo, 4> kErrorMetrics{{
+    {"mean_square_sampling_error", "of the light, by the samples", "squared_sampling_error",
+     "lights"},
+    {"mean_square_order_error", "of the light, by ending at the first order",
+     "squared_order_error", "lights"},
+    {"mean_square_total_error", "of the light, by both", "squared_total_error", "lights"},
+    {"mean_square_harmonics_error", "of the harmonics, by the samples", "squared_harmonics_error",
+     "probes"},
+}};
+
+/// What 4096 rays see: the light of each surface, and harmonics.
+struct Seen {
+  std::array<double, kNormals> light{};
+  SkyHarmonics harmonics{};
+};
+
+Seen by_even_rays(const Brick& brick, const Probe& probe) {
+  constexpr double kShare = 4 * std::numbers::pi / (kOctants * kEvenDirections);
+  Seen seen;
+  for (int octant = 0; octant < kOctants; ++octant)
+    for (const SampleDirection& direction : even_directions()) {
+      if (is_occluded(brick, probe, octant, direction)) continue;
+      double squared = 0;
+      for (const std::int32_t component : direction) squared += double(component) * component;
+      seen.harmonics[0] += kShare * kConstant;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const bool falls = octant >> axis & 1;
+        const double cosine = direction[axis] / std::sqrt(squared);
+        seen.light[2 * axis + falls] += kShare * cosine;
+        seen.harmonics[axis + 1] += (falls ? -kShare : kShare) * kLinear * cosine;
+      }
+    }
+  return seen;
+}
+
+/// The light of each surface from harmonics: each order is weighted by that of a clamped cosine, pi
+/// and 2 pi / 3 (Ramamoorthi and Hanrahan 2001).
+std::array<double, kNormals> light_of(const SkyHarmonics& harmonics) {
+  std::array<double, kNormals> light;
+  for (std::size_t normal = 0; normal < kNormals; ++normal) {
+    const double along = harmonics[normal / 2 + 1] * (normal % 2 ? -1 : 1);
+    light[normal] = std::numbers::pi * kConstant * harmonics[0] +
+                    2 * std::numbers::pi / 3 * kLinear * along;
+  }
+  return light;
+}
+
+template <std::size_t kCount>
+std::uint64_t squared_distance(const std::array<double, kCount>& a,
+                               const std::array<double, kCount>& b, double one) {
+  double sum = 0;
+  for (std::size_t i = 0; i < kCount; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return static_cast<std::uint64_t>(std::llround(sum / (one * one) / kUnit));
+}
+
+class SkyError final : public Execution {
+ public:
+  explicit SkyError(const Launch& launch)
+      : field_(static_cast<ProbeField&>(launch.output)),
+        samples_(sky_samples(projection_of(launch.arguments))) {}
+
+  void run(const Work& work) override {
+    const auto& brick = static_cast<const Brick&>(work);
+    for (std::size_t i = 0; i < brick.probes.size(); ++i) measure(brick, i);
+  }
+
+  KernelResult result() const override {
+    KernelResult result;
+    result.counts = Counts(1, 0);
+    result.counters.assign(counts_.begin(), counts_.end());
+    return result;
+  }
+
+ private:
+  void measure(const Brick& brick, std::size_t i) {
+    const Seen exact = by_even_rays(brick, brick.probes[i]);
+    const SkyHarmonics sampled = sky_seen(brick, brick.probes[i], samples_, {});
+    const auto light = light_of(sampled), light_of_exact = light_of(exact.harmonics);
+    ++counts_[kErrorProbes];
+    counts_[kLights] += kNormals;
+    counts_[kSquaredSampling] += squared_distance(light, light_of_exact, kOpenLight);
+    counts_[kSquaredOrder] += squared_distance(light_of_exact, exact.light, kOpenLight);
+    counts_[kSquaredTotal] += squared_distance(light, exact.light, kOpenLight);
+    counts_[kSquaredHarmonics] += squared_distance(sampled, exact.harmonics, 1 / kConstant);
+    Harmonics harmonics;
+    for (std::size_t h = 0; h < kHarmonics; ++h)
+      harmonics[h] = static_cast<float>(exact.harmonics[h]);
+    field_.write(brick.first_probe + i, harmonics);
+  }
+
+  ProbeField& field_;
+  const SkySamples& samples_;
+  std::array<std::uint64_t, kErrorCounterCount> counts_{};
+};
+
+std::unique_ptr<Execution> start(const Launch& launch) {
+  return std::make_unique<SkyError>(launch);
+}
+
+}  // namespace
+
+extern const Kernel k_sky_error;
+const Kernel k_sky_error{
+    .name = "sky_error",
+    .summary = "measures what samples and harmonics miss, against 4096 rays of each probe",
+    .workload = &w_voxels,
+    .counters = kErrorCounters,
+    .metrics = kErrorMetrics,
+    .element = kProbeElement,
+    .open = open_probe_field,
+    .output_bytes = probe_field_bytes,
+    .start = start,
+};
+
+}  // namespace lanescope

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What a world of cubes is made with, and what its probes look for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "simulator/base/parameter.h"
+
+namespace lanescope {
+
+/// Where the samples of an octant are.
+enum class Projection {
+  kFaces,  ///< The pixels of three faces of 16 x 16, a quarter of a cubemap's each.
+  /// 256 directions, 64 for each of four harmonics, as dense as that harmonic is large: then the
+  /// harmonic is the number of samples that see the sky.
+  kDirections,
+};
+
+inline constexpr std::array<Choice<Projection>, 2> kProjections{
+    {{"faces", Projection::kFaces}, {"directions", Projection::kDirections}}};
+
+struct WorldOptions {
+  Projection projection = Projection::kFaces;
+  std::optional<int> size_cubes;           ///< Of a built-in scene.
+  std::optional<std::uint64_t> seed;  ///< Of a built-in scene.
+};
+
+inline const Parameters<WorldOptions>& world_parameters() {
+  using W = WorldOptions;
+  static const Parameters<W> all{
+      {&W::projection,
+       {"projection", "--projection", kNoUnit, "Where the samples of an octant are"},
+       kProjections},
+      {&W::size_cubes,
+       {"world_size", "--world-size", "cubes", "Length and width of a built-in world",
+        Stated::kAlways},
+       16,
+       256},
+      {&W::seed,
+       {"world_seed", "--world-seed", kNoUnit, "Seed of a built-in world"},
+       std::uint64_t{0},
+       ~std::uint64_t{0}},
+  };
+  return all;
+}
+
+}  // namespace lanescope
