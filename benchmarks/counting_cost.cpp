@@ -3,12 +3,12 @@
 // in turn within one process; prints the median of the ratios of each round. With arguments, only
 // of the works named: counting_cost [w1|lockstep|repack]...
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <vector>
 
+#include "benchmarks/timing.h"
 #include "benchmarks/w1.h"
 #include "kernels/kernel.h"
 #include "kernels/micropolygons/frame.h"
@@ -18,37 +18,8 @@
 namespace lanescope {
 namespace {
 
-constexpr int kRounds = 21;
-
-/// Processor time of this thread: other processes on a shared machine do not count.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-template <class F>
-double seconds(F&& work) {
-  const double start = thread_seconds();
-  work();
-  return thread_seconds() - start;
-}
-
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
-}
-
-/// Median of time(a) / time(b) over rounds in which they take turns.
-template <class A, class B>
-double ratio(A&& a, B&& b) {
-  std::vector<double> ratios;
-  for (int round = 0; round < kRounds; ++round) {
-    const double one = seconds(a);
-    ratios.push_back(one / seconds(b));
-  }
-  return median(ratios);
-}
+using benchmarks::kRounds;
+using benchmarks::ratio;
 
 template <int W>
 void measure_w1(w1::Triangles& triangles) {

@@ -64,8 +64,9 @@ void annotate_sources(const CommandOptions& command, const Given& given) {
 
 Action declare(CommandOptions& options) {
   const auto given = std::make_shared<Given>();
-  given->experiment.defaults = {{std::string(kKernel), {std::string(usual_kernels().back()->name)}},
-                                {std::string(kWidth), {kUsualWidth}}};
+  given->experiment.defaults = {{std::string(kWidth), {kUsualWidth}}};
+  given->experiment.several = false;
+  given->experiment.takes_last_kernel = true;
   add_threads_option(options, given->threads);
   options.exclude_all_before(options.add_output(
       {"--from", "FILE",

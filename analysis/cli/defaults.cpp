@@ -5,11 +5,11 @@ namespace lanescope {
 
 const Workload& usual_workload() { return *kernels().front()->workload; }
 
-std::vector<const Kernel*> usual_kernels() {
+std::vector<const Kernel*> usual_kernels(const Workload& workload) {
   std::vector<const Kernel*> all;
   std::vector<const Kernel*> issuing;
   for (const Kernel* kernel : kernels()) {
-    if (kernel->workload != &usual_workload()) continue;
+    if (kernel->workload != &workload) continue;
     all.push_back(kernel);
     if (!kernel->stages.empty()) issuing.push_back(kernel);
   }

@@ -88,9 +88,21 @@ class Resolution {
     else if (const auto own = arguments_.defaults.find(kKernel); own != arguments_.defaults.end())
       for (const Value& name : own->second) choose(name);
     else
-      chosen = usual_kernels();
-    if (argument.text.empty() && !arguments_.several) chosen.resize(1);
+      chosen = usual_kernels(kind_asked_for());
+    if (argument.text.empty() && !arguments_.several)
+      return {arguments_.takes_last_kernel ? chosen.back() : chosen.front()};
     return chosen;
+  }
+
+  /// The kind of work that has the scene, or the first of the scenes; the usual one if none has.
+  const Workload& kind_asked_for() const {
+    const std::string_view scenes = argument_of(arguments_, kScene).text;
+    const std::string_view scene = scenes.substr(0, scenes.find(','));
+    for (const Workload* workload : workloads())
+      if (workload->is_file(arguments_.file) || workload->is_file(scene) ||
+          workload->find_scene(scene) || !scenes_of_word(scene, *workload).empty())
+        return *workload;
+    return usual_workload();
   }
 
   void require_one_kind() const {
@@ -182,9 +194,8 @@ class Resolution {
     std::vector<const Parameter*> parameters = pointers(kernel.parameters);
     const Parameter* const width = find_parameter(kWidth);
     const bool is_beside_others =
-        kernel.most_width == 1 && std::any_of(kernels_.begin(), kernels_.end(), [](const Kernel* k) {
-          return k->most_width > 1;
-        });
+        kernel.most_width == 1 && std::any_of(kernels_.begin(), kernels_.end(),
+                                              [](const Kernel* k) { return k->most_width > 1; });
     if (is_beside_others) {
       std::vector<ParameterAxis> axes = axes_of(parameters);
       axes.push_back(single_axis(kWidth, {std::uint64_t{1}}));

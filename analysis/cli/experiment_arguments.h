@@ -24,8 +24,10 @@ inline constexpr const char* kFileOption = "--mesh";
 
 /// What the options hold, and what a command runs where they hold nothing.
 struct ExperimentArguments {
-  /// Whether the usual kernels run at all their usual widths, or the first of them at its first.
+  /// Whether the usual kernels run at all their usual widths, or one of them at its first.
   bool several = true;
+  /// Whether that one is the last of them, or the first.
+  bool takes_last_kernel = false;
   /// Whether other parameters can have several values, so that the help says how they are given.
   bool takes_lists = true;
   /// Values that the command has by default, by name; of others the parameter says the default.

@@ -51,7 +51,8 @@ std::string default_of(const ExperimentArguments& arguments, const Parameter& pa
   std::vector<std::string> texts;
   const auto add_all = [&](const auto& values) {
     for (const auto& value : values) texts.push_back(value_text(Value(value)));
-    if (!arguments.several) texts.resize(1);
+    if (arguments.several) return;
+    texts = {arguments.takes_last_kernel ? texts.back() : texts.front()};
   };
   if (const auto own = arguments.defaults.find(parameter.name()); own != arguments.defaults.end())
     add_all(own->second);

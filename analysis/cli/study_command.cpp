@@ -35,11 +35,24 @@ struct Given {
 /// The word for all figures of a study as one document; empty if it has none.
 std::string own_format(const Study& study) { return study.figures ? "json" : ""; }
 
+/// Whether some kernel of the study's kind of work takes a parameter.
+bool takes(const Study& study, std::string_view parameter) {
+  const Workload* const workload = find_kernel(study.kernels.front()).workload;
+  return std::any_of(kernels().begin(), kernels().end(), [&](const Kernel* kernel) {
+    if (kernel->workload != workload) return false;
+    const std::vector<Parameter> own = parameters_of(*kernel);
+    return std::any_of(own.begin(), own.end(),
+                       [&](const Parameter& p) { return p.name() == parameter; });
+  });
+}
+
 /// What the study runs where nothing else is asked for.
 ExperimentArguments experiment_of(const Study& study) {
   ExperimentArguments arguments;
   for (const std::string_view kernel : study.kernels)
     arguments.defaults[std::string(kKernel)].emplace_back(std::string(kernel));
+  for (const Parameter& parameter : all_parameters())
+    if (!takes(study, parameter.name())) arguments.left_out.push_back(parameter.name());
   arguments.defaults[std::string(kScene)] = {std::string("all")};
   for (const Study::Axis& axis : study.axes) {
     const Parameter* const parameter = find_parameter(axis.parameter);

@@ -47,8 +47,8 @@ class AcrossCubes {
     typename Vm::Site scanning, finding, queueing, merging;
   };
 
-  /// Queues the filled cubes of W rows, and merges what fills a vector. Returns whether the image is
-  /// full.
+  /// Queues the filled cubes of W rows, and merges what fills a vector. Returns whether the image
+  /// is full.
   bool queue_rows(Sites& sites, const RowsOfOctant& octant, int first) {
     using namespace isa;
     const Lanes rows = vm_.first_n(kOctantRows - first);

@@ -27,9 +27,8 @@ class AcrossImage {
   void render(const RowsOfOctant& octant, ImageMemory& image) {
     using namespace isa;
     Sites sites(vm_);
-    for_each_part(sites.clearing, [&](auto& on, int part, int) LANESCOPE_INLINE_LAMBDA {
-      words_[part] = broadcast(on, 0);
-    });
+    for_each_part(sites.clearing, [&](auto& on, int part, int)
+                                      LANESCOPE_INLINE_LAMBDA { words_[part] = broadcast(on, 0); });
     unchecked_ = 0;
     for (int first = 0; first < kOctantRows; first += vm_.width())
       if (merge_rows(sites, octant, first)) break;
@@ -78,9 +77,8 @@ class AcrossImage {
     for (std::uint64_t left = filled.bits(); left != 0; left &= left - 1) {
       const int lane = std::countr_zero(left);
       const std::int32_t row = hor(sites.taking.on(Lanes::from_bits(left & -left)), cubes);
-      for_each_bit(row, [&](int i) LANESCOPE_INLINE_LAMBDA {
-        merge(sites, kReach * (first + lane) + i);
-      });
+      for_each_bit(
+          row, [&](int i) LANESCOPE_INLINE_LAMBDA { merge(sites, kReach * (first + lane) + i); });
       if (unchecked_ >= kCubesBetweenChecks && is_full(sites)) return true;
     }
     return false;

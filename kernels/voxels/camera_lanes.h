@@ -15,8 +15,8 @@ struct HarmonicVectors {
 template <class Vm>
 void clear(typename Vm::Site& site, typename Vm::Lanes active, HarmonicVectors<Vm>& sums) {
   auto on = site.on(active);
-  host::unroll<kHarmonics>(
-      [&](auto h) LANESCOPE_INLINE_LAMBDA { sums.of[h] = isa::broadcast(on, 0); });
+  host::unroll<kHarmonics>([&](auto h)
+                               LANESCOPE_INLINE_LAMBDA { sums.of[h] = isa::broadcast(on, 0); });
 }
 
 template <class Vm>
@@ -86,8 +86,8 @@ HarmonicVectors<Vm> counted_samples(typename Vm::Site& site, typename Vm::Lanes 
   HarmonicVectors<Vm> seen;
   auto on = site.on(active);
   host::unroll<kHarmonics>([&](auto h) LANESCOPE_INLINE_LAMBDA {
-    const auto occluded = add(on, popcount(on, image[kCountedWords * h]),
-                              popcount(on, image[kCountedWords * h + 1]));
+    const auto occluded =
+        add(on, popcount(on, image[kCountedWords * h]), popcount(on, image[kCountedWords * h + 1]));
     seen.of[h] = sub(on, kCountedWords * kWordBits, occluded);
   });
   return seen;

@@ -37,8 +37,7 @@ inline constexpr std::array<CounterInfo, kProbeCounterCount> kProbeCounters{{
 /// Those that need cubes_merged are last.
 inline constexpr std::array<MetricInfo, 4> kProbeMetrics{{
     {"octants_per_probe", "octants rendered for each probe", "octants_rendered", "probes"},
-    {"occluded", "share of the samples that some cube covers", "samples_occluded",
-     "samples_taken"},
+    {"occluded", "share of the samples that some cube covers", "samples_occluded", "samples_taken"},
     {"full", "share of the octants rendered that see no sky", "octants_full", "octants_rendered"},
     {"cubes_per_octant", "cubes merged for each octant rendered", "cubes_merged",
      "octants_rendered"},

@@ -9,7 +9,7 @@ namespace lanescope {
 
 struct ProbeOptions {
   /// Lanes merge when at least this share of those at work has a filled cube.
-  float merge_threshold = 0.75f;
+  float merge_threshold = 0.625f;
 };
 
 /// Of repacked_cameras.
@@ -21,6 +21,21 @@ inline const Parameters<ProbeOptions>& merge_parameters() {
         "Lanes merge when this share of them has found a filled cube"},
        0.0f,
        1.0f},
+  };
+  return all;
+}
+
+struct ErrorOptions {
+  int measured_every = 4;
+};
+
+/// Of sky_error.
+inline const Parameters<ErrorOptions>& error_parameters() {
+  static const Parameters<ErrorOptions> all{
+      {&ErrorOptions::measured_every,
+       {"measured_every", "--measured-every", "probes", "One probe of N is measured"},
+       1,
+       1 << 20},
   };
   return all;
 }

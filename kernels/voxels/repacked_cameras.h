@@ -112,8 +112,8 @@ class RepackedCameras {
     const Lanes can_seek = lanes.busy & ~lanes.found;
     const int found = lanes.found.count();
     return !can_seek.any() ||
-           (found > 0 && static_cast<float>(found) >=
-                             merge_threshold_ * static_cast<float>(lanes.busy.count()));
+           (found > 0 &&
+            static_cast<float>(found) >= merge_threshold_ * static_cast<float>(lanes.busy.count()));
   }
 
   /// Free lanes take the next octants of the list.
@@ -201,8 +201,7 @@ class RepackedCameras {
     for (int w = 0; w < samples_.words; ++w) {
       const auto i = static_cast<std::size_t>(w);
       auto on = site.on(active);
-      image[w] =
-          gather(on, images_->memory().part(i, images_size() - i), place);
+      image[w] = gather(on, images_->memory().part(i, images_size() - i), place);
     }
   }
 

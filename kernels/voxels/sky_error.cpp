@@ -36,7 +36,7 @@ enum ErrorCounter : std::size_t {
 };
 
 constexpr std::array<CounterInfo, kErrorCounterCount> kErrorCounters{{
-    {"probes", "corners that were rendered from", "probes"},
+    {"probes", "corners that were measured", "probes"},
     {"lights", "surfaces lit: six at each probe, towards each axis either way", "lights"},
     {"squared_sampling_error",
      "squares of errors of light by harmonics of the samples, against harmonics of 4096 rays",
@@ -55,8 +55,8 @@ constexpr std::array<CounterInfo, kErrorCounterCount> kErrorCounters{{
 constexpr std::array<MetricInfo, 4> kErrorMetrics{{
     {"mean_square_sampling_error", "of the light, by the samples", "squared_sampling_error",
      "lights"},
-    {"mean_square_order_error", "of the light, by ending at the first order",
-     "squared_order_error", "lights"},
+    {"mean_square_order_error", "of the light, by ending at the first order", "squared_order_error",
+     "lights"},
     {"mean_square_total_error", "of the light, by both", "squared_total_error", "lights"},
     {"mean_square_harmonics_error", "of the harmonics, by the samples", "squared_harmonics_error",
      "probes"},
@@ -93,8 +93,8 @@ std::array<double, kNormals> light_of(const SkyHarmonics& harmonics) {
   std::array<double, kNormals> light;
   for (std::size_t normal = 0; normal < kNormals; ++normal) {
     const double along = harmonics[normal / 2 + 1] * (normal % 2 ? -1 : 1);
-    light[normal] = std::numbers::pi * kConstant * harmonics[0] +
-                    2 * std::numbers::pi / 3 * kLinear * along;
+    light[normal] =
+        std::numbers::pi * kConstant * harmonics[0] + 2 * std::numbers::pi / 3 * kLinear * along;
   }
   return light;
 }
@@ -111,11 +111,14 @@ class SkyError final : public Execution {
  public:
   explicit SkyError(const Launch& launch)
       : field_(static_cast<ProbeField&>(launch.output)),
-        samples_(sky_samples(projection_of(launch.arguments))) {}
+        samples_(sky_samples(projection_of(launch.arguments))),
+        measured_every_(static_cast<std::uint64_t>(
+            decoded(error_parameters(), launch.arguments).measured_every)) {}
 
   void run(const Work& work) override {
     const auto& brick = static_cast<const Brick&>(work);
-    for (std::size_t i = 0; i < brick.probes.size(); ++i) measure(brick, i);
+    for (std::size_t i = 0; i < brick.probes.size(); ++i)
+      if ((brick.first_probe + i) % measured_every_ == 0) measure(brick, i);
   }
 
   KernelResult result() const override {
@@ -144,6 +147,7 @@ class SkyError final : public Execution {
 
   ProbeField& field_;
   const SkySamples& samples_;
+  std::uint64_t measured_every_;
   std::array<std::uint64_t, kErrorCounterCount> counts_{};
 };
 
@@ -158,6 +162,7 @@ const Kernel k_sky_error{
     .name = "sky_error",
     .summary = "measures what samples and harmonics miss, against 4096 rays of each probe",
     .workload = &w_voxels,
+    .parameters = joined(error_parameters()),
     .counters = kErrorCounters,
     .metrics = kErrorMetrics,
     .element = kProbeElement,

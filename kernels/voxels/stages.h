@@ -34,8 +34,8 @@ LANESCOPE_INLINE typename Vm::Int first_bit(On& on, const typename Vm::Int& bit,
 /// The cubes of a row of an octant in each lane, as bits: bit 0 is the nearest.
 template <class Vm, class On>
 LANESCOPE_INLINE typename Vm::Int cubes_of_row(On& on, Memory<const std::int32_t> rows,
-                                                const typename Vm::Int& row,
-                                                const typename Vm::Int& bit) {
+                                               const typename Vm::Int& row,
+                                               const typename Vm::Int& bit) {
   using namespace isa;
   return bit_and(on, shr(on, gather(on, rows, row), bit), kRowBits);
 }
@@ -68,8 +68,7 @@ void list_open_octants(Vm& vm, const BrickMemory& brick, OpenOctants& open,
       typename Vm::Int listed;
       {
         auto on = scanning.on(valid);
-        const auto row =
-            add(on, load(on, brick.probe_rows(), first), octant_start(octant));
+        const auto row = add(on, load(on, brick.probe_rows(), first), octant_start(octant));
         const auto bit = first_bit<Vm>(on, load(on, brick.probe_bits(), first), octant);
         const auto nearest = bit_and(on, shr(on, gather(on, brick.rows(), row), bit), 1);
         const auto is_open = cmp_eq(on, nearest, 0);
@@ -90,8 +89,7 @@ void list_open_octants(Vm& vm, const BrickMemory& brick, OpenOctants& open,
 struct HarmonicSums {
   HarmonicSums(bool checked) : sums(kHarmonics * kMost, "sums of harmonics", checked) {}
 
-  static constexpr std::size_t kMost =
-      std::size_t{kBrickCorners} * kBrickCorners * kBrickCorners;
+  static constexpr std::size_t kMost = std::size_t{kBrickCorners} * kBrickCorners * kBrickCorners;
   Memory<std::int32_t> of(int harmonic) {
     return sums.memory().part(static_cast<std::size_t>(harmonic) * kMost, kMost);
   }

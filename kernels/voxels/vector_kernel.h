@@ -26,9 +26,7 @@ inline Memory<const std::int32_t> words_of(const std::vector<std::uint32_t>& wor
 struct BrickMemory {
   explicit BrickMemory(const Brick& brick);
 
-  Memory<const std::int32_t> rows() const {
-    return words_of(brick->rows, "rows of cubes");
-  }
+  Memory<const std::int32_t> rows() const { return words_of(brick->rows, "rows of cubes"); }
   Memory<const std::int32_t> probe_rows() const {
     return read_only(row.data(), row.size(), "rows of probes");
   }
@@ -48,8 +46,8 @@ constexpr std::int32_t octant_start(int octant) {
          (octant & 1 ? Brick::kBackward : Brick::kForward);
 }
 
-/// The rows of an octant in the order of octant_rows(), as words after the first one; [octant][256],
-/// one after the other. They do not depend on the way along x.
+/// The rows of an octant in the order of octant_rows(), as words after the first one;
+/// [octant][256], one after the other. They do not depend on the way along x.
 const std::vector<std::int32_t>& octant_row_steps();
 
 /// What a program is started with. The probes' floats are kHarmonics for each, in their order.

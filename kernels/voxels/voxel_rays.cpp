@@ -97,7 +97,8 @@ bool is_occluded(const Brick& brick, const Probe& probe, int octant,
   std::array<int, 3> away{};
   while (true) {
     if (brick.filled(cube_at(probe, octant, away))) return true;
-    // The wall that comes next is at (away + 1) / direction; walls at one place are crossed at once.
+    // The wall that comes next is at (away + 1) / direction; walls at one place are crossed at
+    // once.
     std::size_t nearest = 0;
     for (std::size_t axis = 1; axis < 3; ++axis)
       if ((away[axis] + 1) * direction[nearest] < (away[nearest] + 1) * direction[axis])

@@ -247,9 +247,10 @@ INSTANTIATE_TEST_SUITE_P(
                   "kernel/1: \"repak\" is not a kernel; use " + all_kernels() +
                       "; did you mean 'repack'?"),
         parameter(R"("kernel": 8)", "kernel: 8 is not a word"),
-        parameter(R"("scene": "teapto")",
-                  "scene: \"teapto\" is not a scene; use " + all_scenes() +
-                      ", or name a file that ends in .obj or .numbers; did you mean 'teapot'?"),
+        parameter(
+            R"("scene": "teapto")",
+            "scene: \"teapto\" is not a scene; use " + all_scenes() +
+                ", or name a file that ends in .obj, .vox or .numbers; did you mean 'teapot'?"),
         parameter(R"("kernel": "sum", "scene": ["rising", "teapot"])",
                   "scene/1: 'teapot' is not a scene of numbers; use scattered or rising, or name "
                   "a number list file (.numbers) (or exclude it)"),

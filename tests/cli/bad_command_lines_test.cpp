@@ -28,6 +28,8 @@ std::string with_names(std::string complaint) {
     if (begin != complaint.npos) complaint.replace(begin, place.size(), list_or(names()));
   };
   replace("{commands}", [] { return testing::listed("commands"); });
+  replace("{kernels}", [] { return testing::listed("kernels"); });
+  replace("{studies}", [] { return testing::listed("studies"); });
   replace("{tables}", [] { return names_of(tables()); });
   replace("{tables of luong}", [] { return testing::listed("tables", "of the study luong"); });
   return complaint;
@@ -77,7 +79,7 @@ const std::vector<BadLine> kBadLines{
     {"list kernels --reference", "--reference: there is one of instructions only; leave it out"},
     {"list kernels scenes", "list: unexpected argument 'scenes'"},
     // Studies.
-    {"study luon", "study: 'luon' is not a study; use luong; did you mean 'luong'?"},
+    {"study luon", "study: 'luon' is not a study; use {studies}; did you mean 'luong'?"},
     {"study --out out", "--out: is not an option of study"},
     {"study luong teapot", "study luong: unexpected argument 'teapot'"},
     {"study luong tables", "study luong: unexpected argument 'tables'"},
@@ -87,7 +89,7 @@ const std::vector<BadLine> kBadLines{
     {"study luong --from r.json --kernel repack", "--kernel excludes --from"},
     // Kernels.
     {"run --kernel repak",
-     "--kernel: 'repak' is not a kernel; use rastmp, lockstep or repack; did you mean 'repack'?"},
+     "--kernel: 'repak' is not a kernel; use {kernels}; did you mean 'repack'?"},
     {"run --kernel lockstep,,repack",
      "--kernel: 'lockstep,,repack' has an empty element; separate values by single commas"},
     {"run --kernel repack,repack", "--kernel: 'repack,repack' has 'repack' twice"},

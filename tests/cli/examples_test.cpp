@@ -37,8 +37,13 @@ void furnish(const fs::path& directory) {
             "parameters": {"width_px": 48, "height_px": 30, "width_lanes": [8, 16]}})");
   fs::create_directories(directory / "out");
   const std::string run = "run --scene teapot --resolution 48x30 --width 8,16 --json ";
-  for (const char* report : {"report.json", "out/report.json", "a.json", "b.json"})
+  for (const char* report : {"report.json", "a.json", "b.json"})
     ASSERT_EQ(lanescope_program(run + report, directory).status, 0);
+  // Of all studies.
+  ASSERT_EQ(
+      lanescope_program("run --scene town --world-size 16 --json town.json", directory).status, 0);
+  ASSERT_EQ(lanescope_program("merge report.json town.json -o out/report.json", directory).status,
+            0);
   ASSERT_EQ(
       lanescope_program("run --scene ballroll --resolution 48x30 --json other.json", directory)
           .status,

@@ -103,7 +103,7 @@ TEST(Lists, SayOptionDefaultValuesAndTakersOfParameters) {
   const std::string list = lanescope_program("list parameters").output;
   for (const char* words :
        {"\nwidth_px               --resolution             1728                 "
-        "an integer from 1 to 16384 (px)                every kernel\n",
+        "an integer from 1 to 16384 (px)                rastmp, lockstep and repack\n",
         " --stream-load-threshold  0                    "
         "a number from 0 to 1 (lanes / W)               repack\n",
         "\nframe                  --frame                  as the scene has it  "})

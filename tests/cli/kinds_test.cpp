@@ -29,7 +29,7 @@ class Kinds : public InEmptyDirectory {
 TEST_F(Kinds, AreGroupsOfTheHelp) {
   const std::string help = program("run --help").output;
   for (const char* words :
-       {"Kind of work: micropolygons:\n", "Kind of work: numbers:\n", "(.obj or .numbers)"})
+       {"Kind of work: micropolygons:\n", "Kind of work: numbers:\n", "(.obj, .vox or .numbers)"})
     EXPECT_NE(help.find(words), std::string::npos) << words << "\n" << help;
 }
 

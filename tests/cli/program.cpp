@@ -49,8 +49,10 @@ std::string made_small(const std::string& arguments) {
   const bool is_study = arguments.starts_with("study ");
   const std::size_t end = arguments.find(' ', is_study ? std::string("study ").size() : 0);
   const std::string help = lanescope_program(arguments.substr(0, end) + " --help").output;
-  if (help.find("--resolution") == help.npos || arguments.find("--from") != arguments.npos)
-    return arguments;
+  if (arguments.find("--from") != arguments.npos) return arguments;
+  if (is_study && help.find("--world-size") != help.npos)
+    return arguments + " --world-size 16 --width 8,24";
+  if (help.find("--resolution") == help.npos) return arguments;
   return std::regex_replace(arguments, kResolution, "") + " --resolution 96x60";
 }
 

@@ -180,8 +180,8 @@ TEST_F(Sweep, MistakesAreFoundBeforeAnyWork) {
   write("bad.json", R"({"schema": {"name": "lanescope-sweep", "version": 1},
                         "parameters": {"kernel": "repak"}})");
   EXPECT_EQ(run("sweep bad.json --out out", 2).errors,
-            "lanescope: bad.json:/parameters/kernel: \"repak\" is not a kernel; use rastmp, "
-            "lockstep or repack; did you mean 'repack'?\n");
+            "lanescope: bad.json:/parameters/kernel: \"repak\" is not a kernel; use " +
+                list_or(testing::listed("kernels")) + "; did you mean 'repack'?\n");
   const std::vector<std::pair<std::string, std::string>> lines{
       {"sweep --out out", "sweep: name a spec, a JSON document"},
       {"sweep spec.json", "--out: is missing; name a directory"},

@@ -106,8 +106,8 @@ TEST_F(TraceCommand, MistakesEndWithStatus2AndOneLine) {
     expect_complaint(trace + option + " 1", option + ": is not an option of trace");
   expect_complaint(
       "render -o x.png --show test",
-      "--show: 'test' is not output, frame, tests, hits or micropolygons; did you mean "
-      "'tests'?");
+      "--show: 'test' is not output, frame, tests, hits, micropolygons, cubes, occlusion, ambient, "
+      "lighting or cubemaps; did you mean 'tests'?");
   expect_complaint("render -o x.png --show hits --kernel repack",
                    "--kernel: does not change hits; leave it out, or use --show output");
 }

@@ -40,7 +40,8 @@ bool may_include(const std::string& path, const std::string& other) {
     if (is_in(other, "simulator/") || other == "workloads/work.h") return true;
     if (folder_of(other, 1) == "kernels" && folder_of(other, 2).empty()) return true;
     const std::string kind = room.substr(std::string("kernels/").size());
-    return in_room && (is_in(other, room) || is_in(other, "workloads/" + kind));
+    return in_room && (is_in(other, room) || is_in(other, "workloads/" + kind) ||
+                       is_in(other, "workloads/geometry/"));
   }
   return true;
 }

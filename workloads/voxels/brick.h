@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A piece of work: a brick of 16 x 16 x 16 corners to render from, and whether each cube is filled
-// of those that they see.
+// A piece of work: probes of a brick of 16 x 16 x 16 corners, and whether each cube is filled of
+// those that they see.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@ namespace lanescope {
 inline constexpr int kReach = 16;
 /// A brick has this many corners along each axis.
 inline constexpr int kBrickCorners = 16;
+inline constexpr int kMostProbes = kBrickCorners * kBrickCorners * kBrickCorners;
 /// Cubes along each axis that the corners of a brick see.
 inline constexpr int kBrickCubes = kBrickCorners + 2 * kReach;
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "simulator/base/parameter.h"
+#include "workloads/voxels/brick.h"
 
 namespace lanescope {
 
@@ -23,8 +24,9 @@ inline constexpr std::array<Choice<Projection>, 2> kProjections{
 
 struct WorldOptions {
   Projection projection = Projection::kFaces;
-  std::optional<int> size_cubes;           ///< Of a built-in scene.
+  std::optional<int> size_cubes;      ///< Of a built-in scene.
   std::optional<std::uint64_t> seed;  ///< Of a built-in scene.
+  int piece_probes = 256;
 };
 
 inline const Parameters<WorldOptions>& world_parameters() {
@@ -42,6 +44,10 @@ inline const Parameters<WorldOptions>& world_parameters() {
        {"world_seed", "--world-seed", kNoUnit, "Seed of a built-in world"},
        std::uint64_t{0},
        ~std::uint64_t{0}},
+      {&W::piece_probes,
+       {"piece_probes", "--piece-probes", "probes", "Kernels drain after N probes of a brick"},
+       1,
+       kMostProbes},
   };
   return all;
 }

@@ -10,8 +10,7 @@ namespace {
 bool is_surface(const World& world, Cell corner) {
   int filled = 0;
   for (int i = 0; i < 8; ++i)
-    filled += world.filled(
-        {corner.x - (i & 1), corner.y - (i >> 1 & 1), corner.z - (i >> 2)});
+    filled += world.filled({corner.x - (i & 1), corner.y - (i >> 1 & 1), corner.z - (i >> 2)});
   return filled != 0 && filled != 8;
 }
 
@@ -23,19 +22,18 @@ void for_bricks(int first, int last, const Visit& visit) {
 
 }  // namespace
 
-VoxelSource::VoxelSource(std::shared_ptr<const World> world) : world_(std::move(world)) {
+VoxelSource::VoxelSource(std::shared_ptr<const World> world, int piece_probes)
+    : world_(std::move(world)), piece_probes_(static_cast<std::size_t>(piece_probes)) {
   const Cell size = world_->size();
   const int margin = world_->margin;
   for_bricks(margin, size.z - margin, [&](int z) {
     for_bricks(margin, size.x - margin, [&](int x) {
-      std::vector<Place> column;
       for_bricks(margin, size.y - margin, [&](int y) {
         const std::size_t count = probes_of({x, y, z}).size();
         if (count == 0) return;
-        column.push_back({{x, y, z}, probe_count_});
+        bricks_.push_back({{x, y, z}, probe_count_});
         probe_count_ += count;
       });
-      if (!column.empty()) columns_.push_back(std::move(column));
     });
   });
 }
@@ -56,28 +54,39 @@ std::vector<Probe> VoxelSource::probes_of(Cell origin) const {
 }
 
 std::vector<std::uint64_t> VoxelSource::produce(int segment, const WorkSink& sink) const {
+  const Place& place = bricks_[static_cast<std::size_t>(segment)];
   Brick brick;
   brick.segment = static_cast<std::uint64_t>(segment);
-  std::uint64_t filled = 0;
-  const auto& column = columns_[static_cast<std::size_t>(segment)];
-  for (const Place& place : column) {
-    brick.origin = place.origin;
-    brick.first_probe = place.first_probe;
-    brick.probes = probes_of(place.origin);
-    brick.clear();
-    for (int z = 0; z < kBrickCubes; ++z)
-      for (int y = 0; y < kBrickCubes; ++y)
-        for (int x = 0; x < kBrickCubes; ++x)
-          if (world_->filled({place.origin.x - kReach + x, place.origin.y - kReach + y,
-                              place.origin.z - kReach + z})) {
-            brick.fill({x, y, z});
-            ++filled;
-          }
+  brick.origin = place.origin;
+  brick.first_probe = place.first_probe;
+  const std::vector<std::uint64_t> counters = fill(brick);
+  const std::vector<Probe> probes = probes_of(place.origin);
+  for (std::size_t first = 0; first < probes.size(); first += piece_probes_) {
+    const auto begin = probes.begin() + static_cast<std::ptrdiff_t>(first);
+    const std::size_t count = std::min(piece_probes_, probes.size() - first);
+    brick.probes.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
     sink(brick);
+    brick.first_probe += count;
     ++brick.ordinal;
   }
-  constexpr std::uint64_t kSeen = std::uint64_t{kBrickCubes} * kBrickCubes * kBrickCubes;
-  return {column.size(), kSeen * column.size(), filled};
+  return counters;
+}
+
+std::vector<std::uint64_t> VoxelSource::fill(Brick& brick) const {
+  std::uint64_t seen = 0, filled = 0;
+  brick.clear();
+  for (int z = 0; z < kBrickCubes; ++z)
+    for (int y = 0; y < kBrickCubes; ++y)
+      for (int x = 0; x < kBrickCubes; ++x) {
+        const Cell cube{brick.origin.x - kReach + x, brick.origin.y - kReach + y,
+                        brick.origin.z - kReach + z};
+        if (!world_->contains(cube)) continue;
+        ++seen;
+        if (!world_->filled(cube)) continue;
+        ++filled;
+        brick.fill({x, y, z});
+      }
+  return {1, seen, filled};
 }
 
 std::vector<std::string> VoxelSource::notes() const {
@@ -87,13 +96,12 @@ std::vector<std::string> VoxelSource::notes() const {
 
 void VoxelSource::for_each_probe(
     const std::function<void(Cell corner, std::uint64_t number)>& visit) const {
-  for (const auto& column : columns_)
-    for (const Place& place : column) {
-      std::uint64_t number = place.first_probe;
-      for (const Probe& probe : probes_of(place.origin))
-        visit({place.origin.x + probe.x, place.origin.y + probe.y, place.origin.z + probe.z},
-              number++);
-    }
+  for (const Place& place : bricks_) {
+    std::uint64_t number = place.first_probe;
+    for (const Probe& probe : probes_of(place.origin))
+      visit({place.origin.x + probe.x, place.origin.y + probe.y, place.origin.z + probe.z},
+            number++);
+  }
 }
 
 }  // namespace lanescope

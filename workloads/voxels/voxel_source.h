@@ -18,16 +18,18 @@ namespace lanescope {
 /// Of a source, in this order.
 inline constexpr std::array<CounterInfo, 3> kWorldCounters{
     {{"bricks", "bricks that have a probe", "bricks"},
-     {"cubes_seen", "cubes that the probes of a brick may see, summed over bricks", "cubes"},
+     {"cubes_seen", "cubes of the world that the corners of a brick may see, summed over bricks",
+      "cubes"},
      {"cubes_seen_filled", "filled cubes of these", "cubes"}}};
 
-/// Hands out the bricks that have a probe: a segment is a column of them. Probes are the corners of
+/// Hands out the probes of bricks: a segment is a brick that has some. Probes are the corners of
 /// the lattice where a filled cube meets an empty one.
 class VoxelSource final : public Source {
  public:
-  explicit VoxelSource(std::shared_ptr<const World> world);
+  /// Pieces have at most that many probes.
+  explicit VoxelSource(std::shared_ptr<const World> world, int piece_probes = kMostProbes);
 
-  int segment_count() const override { return static_cast<int>(columns_.size()); }
+  int segment_count() const override { return static_cast<int>(bricks_.size()); }
   std::vector<std::uint64_t> produce(int segment, const WorkSink& sink) const override;
   std::vector<std::string> notes() const override;
 
@@ -44,9 +46,12 @@ class VoxelSource final : public Source {
   };
 
   std::vector<Probe> probes_of(Cell origin) const;
+  /// Fills the cubes of a brick. Returns the counters.
+  std::vector<std::uint64_t> fill(Brick& brick) const;
 
   std::shared_ptr<const World> world_;
-  std::vector<std::vector<Place>> columns_;
+  std::size_t piece_probes_;
+  std::vector<Place> bricks_;
   std::uint64_t probe_count_ = 0;
 };
 

@@ -34,7 +34,7 @@ std::unique_ptr<Source> open(const std::string& name, const Arguments& arguments
           : find_voxel_scene(name).build(options.size_cubes.value_or(kDefaultSize),
                                          options.seed.value_or(kDefaultSeed)));
   if (progress) progress(0.5);
-  auto source = std::make_unique<VoxelSource>(std::move(world));
+  auto source = std::make_unique<VoxelSource>(std::move(world), options.piece_probes);
   if (progress) progress(1.0);
   return source;
 }

@@ -12,7 +12,14 @@ constexpr std::string_view kKernels[] = {"across_image", "across_cubes", "across
                                          "repacked_cameras", "sky_error"};
 constexpr std::string_view kProjections[] = {"faces", "directions"};
 constexpr std::string_view kWidths[] = {"8", "16", "24", "32", "64"};
-constexpr Study::Axis kAxes[] = {{"projection", kProjections}, {"width_lanes", kWidths}};
+/// Small worlds: they are as varied, and all runs take less than a minute.
+constexpr std::string_view kSizes[] = {"24"};
+/// A piece of each world is observed: pieces are few and alike.
+constexpr std::string_view kObserved[] = {"64"};
+constexpr Study::Axis kAxes[] = {{"world_size", kSizes},
+                                 {"projection", kProjections},
+                                 {"observe_every", kObserved},
+                                 {"width_lanes", kWidths}};
 constexpr std::string_view kWorlds[] = {"hills", "caves", "town", "stones"};
 
 bool is_about(const Report& report) {
@@ -25,8 +32,9 @@ bool is_about(const Report& report) {
 
 extern const Study study_littlest{
     .name = "littlest",
-    .summary = "The Littlest CPU Rasterizer (blog post, 2013): one-bit cubemaps of voxels as "
-               "vector programs, and spherical harmonics of the sky",
+    .summary =
+        "The Littlest CPU Rasterizer (blog post, 2013): one-bit cubemaps of voxels as "
+        "vector programs, and spherical harmonics of the sky",
     .kernels = kKernels,
     .axes = kAxes,
     .scene_group = "worlds",

@@ -13,8 +13,7 @@ namespace {
 
 const std::vector<int> kAllWidths(std::begin(test::kTriedWidths), std::end(test::kTriedWidths));
 
-class VoxelAgreement
-    : public testing::TestWithParam<std::tuple<const VoxelScene*, Projection>> {};
+class VoxelAgreement : public testing::TestWithParam<std::tuple<const VoxelScene*, Projection>> {};
 
 TEST_P(VoxelAgreement, WithTheReference) {
   const auto [scene, projection] = GetParam();
@@ -66,7 +65,7 @@ TEST(VoxelModes, CountTheSame) {
           return test::render(*kernel, width, mode, projection, bricks).result;
         };
         const KernelResult counting = run(Mode::kCounting);
-        EXPECT_GT(counting.counts.total().issued, 1000u);
+        EXPECT_FALSE(counting.counts.stages.at(2).instructions.empty());
         EXPECT_EQ(run(Mode::kChecked).counts, counting.counts);
         EXPECT_EQ(run(Mode::kTracing).counts, counting.counts);
       }

@@ -52,8 +52,7 @@ TEST(KnownImages, AnEmptyWorldIsAllSky) {
   const Brick brick = empty_brick(0, {{0, 0, 0}, {8, 3, 5}, {15, 15, 15}});
   expect_harmonics(brick, {kOpenSky, 0, 0, 0}, 1e-6);
   for (const Kernel* kernel : test::voxel_programs()) {
-    const auto rendered =
-        test::render(*kernel, 1, Mode::kCounting, Projection::kFaces, {brick});
+    const auto rendered = test::render(*kernel, 1, Mode::kCounting, Projection::kFaces, {brick});
     EXPECT_EQ(rendered.counter(*kernel, "octants_rendered"), 24u);
     EXPECT_EQ(rendered.counter(*kernel, "samples_taken"), 24u * 768);
     EXPECT_EQ(rendered.counter(*kernel, "samples_occluded"), 0u);
@@ -113,7 +112,8 @@ TEST(CubeImages, CoverWhatIsKnownOfThem) {
   for (int cube = 0; cube < kOctantCubes; ++cube) {
     int bits = 0;
     for (const CubeImages::Part& part : images.parts_of(cube)) {
-      EXPECT_EQ(part.bits, images.images[static_cast<std::size_t>(cube * images.words) + part.word]);
+      EXPECT_EQ(part.bits,
+                images.images[static_cast<std::size_t>(cube * images.words) + part.word]);
       bits += std::popcount(part.bits);
     }
     EXPECT_GE(bits, 1) << cube;

@@ -72,8 +72,8 @@ TEST(DirectionSamples, AreAsDenseAsTheHarmonicIsLarge) {
     int above = 0;
     for (std::size_t s = 64 * (axis + 1); s < 64 * (axis + 2); ++s) {
       const SampleDirection& d = samples.directions[s];
-      const double length = std::sqrt(double(d[0]) * d[0] + double(d[1]) * d[1] +
-                                      double(d[2]) * d[2]);
+      const double length =
+          std::sqrt(double(d[0]) * d[0] + double(d[1]) * d[1] + double(d[2]) * d[2]);
       above += d[axis] > length / 2;
     }
     EXPECT_EQ(above, 48);

@@ -122,8 +122,7 @@ TEST(ScatteredScenes, KeepWhatIsOutsideOutOfSight) {
   const auto margin = [](int size) {
     return find_voxel_scene("scattered20").build(size, 1).margin;
   };
-  EXPECT_EQ(margin(16), 4);
-  EXPECT_EQ(margin(17), 4);
+  EXPECT_EQ(margin(16), kReach);
   EXPECT_EQ(margin(48), 20);
   EXPECT_EQ(margin(100), 46);
 }

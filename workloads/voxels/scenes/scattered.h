@@ -8,8 +8,11 @@
 namespace lanescope {
 
 /// A world in which that many of a hundred cubes are filled. Those of a smaller share are filled
-/// with a larger one, too. Probes see nothing of the outside if the world is large enough.
-inline World scattered_world(int size_cubes, std::uint64_t seed, int percent) {
+/// with a larger one, too. All places are alike, so probes are in the middle ones alone; the world
+/// is large enough that they see nothing of its outside.
+inline World scattered_world(int asked_cubes, std::uint64_t seed, int percent) {
+  constexpr int kMiddle = 8;
+  const int size_cubes = std::max(asked_cubes, kMiddle + 2 * kReach);
   enum Use { kFilled, kTint };
   WorldBuilder builder({size_cubes, size_cubes, size_cubes}, seed);
   const CubeMaterial warm[] = {builder.material({206, 92, 72}), builder.material({224, 152, 72}),
@@ -23,8 +26,6 @@ inline World scattered_world(int size_cubes, std::uint64_t seed, int percent) {
     builder.fill(c, tints[builder.random(c, kTint) % 3]);
   });
   World world = builder.take();
-  // All places are alike: the middle ones tell of all, and see nothing of the outside.
-  constexpr int kMiddle = 8;
   world.margin = (size_cubes - kMiddle) / 2;
   return world;
 }

@@ -62,14 +62,19 @@ constexpr std::string_view kOverFill = R"json({
     "color": {"field": "kernel", "type": "nominal", "title": null, "sort": "@kernels"}}
 })json";
 
-std::vector<SectionBlock> build(const ReportView& view) {
-  const Report& report = view.report();
-  if (programs_of(report).empty()) return {};
+std::vector<SectionBlock> build(const ReportView& all) {
+  const Report report = programs_alone(all.report());
+  if (report.runs.empty()) return {};
+  const ReportView view(report, scenes_of(report, all.scenes()));
   return {Chart{"winners",
                 "The program that needs the fewest instructions for an octant, and how many.",
-                spec_from(kWinners, report), winners(view), {pick_of_facet()}},
-          Chart{"fill", "Instructions for each octant over how full the world is; scattered cubes.",
-                spec_from(kOverFill, report), costs_over_fill(view),
+                spec_from(kWinners, report),
+                winners(view),
+                {pick_of_facet()}},
+          Chart{"fill",
+                "Instructions for each octant over how full the world is; scattered cubes.",
+                spec_from(kOverFill, report),
+                costs_over_fill(view),
                 {pick_of_facet(), pick_of_lanes(report)}}};
 }
 

@@ -30,10 +30,9 @@ int nearest_width(const ReportView& view, const Series& series) {
 /// "This conversion is actually the slowest part of the whole technique".
 Row slowest_part(const ReportView& view, const Series& series, int width) {
   const auto share = mean_stage_share(view, series, kProject, width);
-  return claim(
-      fmt::format("the conversion takes more than the rendering: its share, {}, W = {}",
-                  shown(series), width),
-      {share, 0.5, &kPercent}, share ? std::optional(*share > 0.5) : std::nullopt);
+  return claim(fmt::format("the conversion takes more than the rendering: its share, {}, W = {}",
+                           shown(series), width),
+               {share, 0.5, &kPercent}, share ? std::optional(*share > 0.5) : std::nullopt);
 }
 
 /// "With the sampling set up properly, the conversion to SH would then be nothing but counting".

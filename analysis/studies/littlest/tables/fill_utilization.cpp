@@ -17,7 +17,6 @@ TableData build(const ReportView& view) {
 namespace lanescope {
 
 extern const Table littlest_t_fill_utilization{
-    "fill_utilization", "utilization of each program, over how full the world is",
-    littlest::build};
+    "fill_utilization", "utilization of each program, over how full the world is", littlest::build};
 
 }  // namespace lanescope

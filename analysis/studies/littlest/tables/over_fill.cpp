@@ -7,10 +7,9 @@
 
 namespace lanescope::littlest {
 
-TableData over_fill(
-    const ReportView& view, std::string title, const Unit& unit,
-    const std::function<std::optional<double>(const ReportView& scene, const Series& series,
-                                              int width)>& figure) {
+TableData over_fill(const ReportView& view, std::string title, const Unit& unit,
+                    const std::function<std::optional<double>(
+                        const ReportView& scene, const Series& series, int width)>& figure) {
   const Report& report = view.report();
   TableData data;
   data.title = std::move(title);

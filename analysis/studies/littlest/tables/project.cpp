@@ -9,14 +9,13 @@ std::vector<Row> rows(const ReportView& view, const Series& series) {
   if (stages_of(view, series).empty()) return {};
   return {figure_row(view, series, "Project, instr./octant", kPerOctant,
                      [&](int width) { return stage_per_octant(view, series, kProject, width); }),
-          figure_row(view, series, "Project, share of all", kPercent, [&](int width) {
-            return mean_stage_share(view, series, kProject, width);
-          })};
+          figure_row(view, series, "Project, share of all", kPercent,
+                     [&](int width) { return mean_stage_share(view, series, kProject, width); })};
 }
 
 TableData build(const ReportView& view) {
-  TableData data = table_over_widths(
-      view, "What the conversion to spherical harmonics takes", "Figure", rows);
+  TableData data =
+      table_over_widths(view, "What the conversion to spherical harmonics takes", "Figure", rows);
   data.notes = {
       "With faces, each of 768 pixels selects what it is worth to four harmonics, and adds it up, "
       "as in the article; with directions, the 256 samples are counted."};
@@ -28,7 +27,7 @@ TableData build(const ReportView& view) {
 
 namespace lanescope {
 
-extern const Table littlest_t_project{
-    "project", "instructions of the conversion, and its share", littlest::build};
+extern const Table littlest_t_project{"project", "instructions of the conversion, and its share",
+                                      littlest::of_programs<littlest::build>};
 
 }  // namespace lanescope

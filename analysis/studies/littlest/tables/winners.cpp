@@ -45,6 +45,6 @@ namespace lanescope {
 
 extern const Table littlest_t_winners{
     "winners", "which program needs the fewest instructions, for each world and width",
-    littlest::build};
+    littlest::of_programs<littlest::build>};
 
 }  // namespace lanescope

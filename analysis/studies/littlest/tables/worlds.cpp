@@ -30,10 +30,10 @@ const std::vector<Column>& columns() {
   static const std::vector<Column> all{
       {"probes", &kCount, [](const RunRecord& run) { return counted(run, "probes"); }},
       {"filled", &kPercent, source_share},
-      {"octants a probe", &kMeasure, [](const RunRecord& run) {
-         return counter_ratio(run, "octants_rendered", "probes");
-       }},
-      {"occluded", &kPercent, [](const RunRecord& run) {
+      {"octants a probe", &kMeasure,
+       [](const RunRecord& run) { return counter_ratio(run, "octants_rendered", "probes"); }},
+      {"occluded", &kPercent,
+       [](const RunRecord& run) {
          return counter_ratio(run, "samples_occluded", "samples_taken");
        }},
       {"full", &kPercent, [](const RunRecord& run) {
@@ -54,15 +54,20 @@ TableData build(const ReportView& view) {
   std::vector<std::string> scenes = view.scenes();
   for (const Filled& filled : filled_scenes(report)) scenes.push_back(filled.scene);
   for (const std::string& scene : scenes) {
-    const RunRecord* const run = ReportView(report, scene).find_any(programs.front());
-    if (!run) continue;
+    const ReportView one(report, scene);
+    const std::vector<int> widths = one.widths(programs.front());
+    if (widths.empty()) continue;
     Row row{scene, {}};
     for (const Column& column : columns())
-      row.cells.push_back({Figure{column.figure(*run), {}, column.unit}, {}, {}});
+      row.cells.push_back(
+          {Figure{one.mean(programs.front(), widths.front(), column.figure), {}, column.unit},
+           {},
+           {}});
     data.rows.push_back(std::move(row));
   }
   data.notes = {
-      "Filled: of the cubes that bricks with probes see. Octants that no cube at the corner "
+      "Filled: of the cubes of the world that bricks with probes see. Octants that no cube at the "
+      "corner "
       "blocks are rendered. Occluded: of their pixels. Full: octants that see no sky."};
   return data;
 }
