@@ -59,7 +59,7 @@ Json lanes_scale(const std::vector<int>& widths) {
 }
 
 Json lanes_axis(const Report& report) {
-  const std::vector<int> widths = widths_of(report);
+  const std::vector<int> widths = machine_widths_of(report);
   return {{"field", "lanes"},
           {"type", "quantitative"},
           {"title", "W (lanes)"},
@@ -71,11 +71,11 @@ Json bars_axis(const Report& report) {
   return {{"field", "lanes"},
           {"type", "ordinal"},
           {"title", "W (lanes)"},
-          {"axis", {{"labelAngle", 0}, {"values", labelled(widths_of(report), 4)}}}};
+          {"axis", {{"labelAngle", 0}, {"values", labelled(machine_widths_of(report), 4)}}}};
 }
 
 Json points(const Report& report) {
-  if (are_many(widths_of(report))) return false;
+  if (are_many(machine_widths_of(report))) return false;
   return {{"size", 40}};
 }
 
@@ -185,7 +185,7 @@ Json panel_for(Json panel, std::string_view field, const std::string& value) {
 }
 
 Pick pick_of_lanes(const Report& report) {
-  const std::vector<int> widths = widths_of(report);
+  const std::vector<int> widths = machine_widths_of(report);
   return {"lanes", first_or(widths, Configuration{}.width)};
 }
 

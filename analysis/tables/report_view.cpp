@@ -174,10 +174,27 @@ std::vector<Series> series_of(const Report& report) {
   return all;
 }
 
-std::vector<int> widths_of(const Report& report) {
+namespace {
+
+/// The widths of some runs, ascending.
+template <class Predicate>
+std::vector<int> widths_where(const Report& report, const Predicate& predicate) {
   std::set<int> widths;
-  for (const RunRecord& run : report.runs) widths.insert(run.configuration.width);
+  for (const RunRecord& run : report.runs)
+    if (predicate(run)) widths.insert(run.configuration.width);
   return {widths.begin(), widths.end()};
+}
+
+}  // namespace
+
+std::vector<int> widths_of(const Report& report) {
+  return widths_where(report, [](const RunRecord&) { return true; });
+}
+
+std::vector<int> machine_widths_of(const Report& report) {
+  std::vector<int> widths =
+      widths_where(report, [](const RunRecord& run) { return !run.stages.empty(); });
+  return widths.empty() ? widths_of(report) : widths;
 }
 
 std::string_view facet_name(std::string_view kernel) {

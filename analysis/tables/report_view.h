@@ -102,6 +102,9 @@ std::vector<Series> series_of(const Report& report);
 /// All widths of a report, ascending.
 std::vector<int> widths_of(const Report& report);
 
+/// Those at which a program was counted that issues instructions; all, if there are none.
+std::vector<int> machine_widths_of(const Report& report);
+
 /// The parameter that is the facet of a kernel's kind of work; empty if it has none, or if the
 /// program does not have the kernel.
 std::string_view facet_name(std::string_view kernel);

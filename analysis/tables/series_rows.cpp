@@ -27,6 +27,22 @@ std::vector<Row> rows_of_counters(const ReportView& view, const Series& series,
   return rows;
 }
 
+bool is_empty(const Cell& cell) { return !cell.figure && !cell.share && cell.words.empty(); }
+
+/// Drops the widths at which only others were run.
+void drop_empty_columns(TableData& data) {
+  for (std::size_t column = data.columns.size(); column-- > 0;) {
+    const bool is_used = std::any_of(data.rows.begin(), data.rows.end(), [&](const Row& row) {
+      return column < row.cells.size() && !is_empty(row.cells[column]);
+    });
+    if (is_used) continue;
+    const auto place = static_cast<std::ptrdiff_t>(column);
+    data.columns.erase(data.columns.begin() + place);
+    for (Row& row : data.rows)
+      if (column < row.cells.size()) row.cells.erase(row.cells.begin() + place);
+  }
+}
+
 }  // namespace
 
 std::string shown_kernel(std::string_view kernel) {
@@ -131,6 +147,7 @@ TableData table_over_widths(
     data.rows.push_back({shown(series), {}});
     data.rows.insert(data.rows.end(), own.begin(), own.end());
   }
+  drop_empty_columns(data);
   return data;
 }
 

@@ -57,7 +57,7 @@ class Answer {
   Answer(const ReportView& view, Stages stages)
       : view_(view),
         stages_(stages),
-        widths_(few_widths(widths_of(view.report()))),
+        widths_(few_widths(machine_widths_of(view.report()))),
         facets_(facets_of(view.report())) {}
 
   std::string html(const std::string& note) const {
@@ -142,7 +142,7 @@ Markup findings(const std::vector<std::string>& sentences) {
 }
 
 std::vector<std::string> ranking_sentences(const ReportView& view, Stages stages) {
-  std::vector<int> widths = widths_of(view.report());
+  std::vector<int> widths = machine_widths_of(view.report());
   if (widths.size() > 2) widths = {widths.front(), widths.back()};
   std::vector<std::string> list;
   for (const std::string& facet : facets_of(view.report()))

@@ -69,7 +69,7 @@ std::vector<SectionBlock> overhead_chart(const ReportView& view,
   spec["spec"]["width"] = kPanelPx;
   if (has_paper(shares, paper))
     spec["spec"]["layer"][1]["mark"]["width"] =
-        std::min<std::size_t>(26, kPanelPx / widths_of(view.report()).size());
+        std::min<std::size_t>(26, kPanelPx / machine_widths_of(view.report()).size());
   else
     spec["spec"]["layer"].erase(1);
   auto& order = spec["facet"]["row"]["sort"];

@@ -24,13 +24,6 @@ std::optional<double> over_octants(const RunRecord& run, std::uint64_t issued) {
 
 bool is_program(const RunRecord& run) { return run.workload == kWorkload && !run.stages.empty(); }
 
-Report programs_alone(const Report& report) {
-  Report programs = report;
-  programs.timing.kernel_ms.clear();
-  std::erase_if(programs.runs, [](const RunRecord& run) { return !is_program(run); });
-  return programs;
-}
-
 std::vector<Series> programs_of(const Report& report) {
   std::vector<Series> programs;
   const ReportView view(report);

@@ -23,18 +23,6 @@ inline constexpr Unit kPerOctant{"instructions/octant", 1.0, "", 1, 1, Differenc
 
 /// Whether a run is of a vector program of the study.
 bool is_program(const RunRecord& run);
-/// The runs of a report that are, alone: the scalar ones would be columns of their own.
-Report programs_alone(const Report& report);
-
-/// Builds a table from a view of the programs alone.
-template <TableData (*kBuild)(const ReportView&)>
-TableData of_programs(const ReportView& view) {
-  const Report programs = programs_alone(view.report());
-  std::vector<std::string> scenes = scenes_of(programs, view.scenes());
-  if (scenes.empty()) return {};
-  return kBuild(ReportView(programs, scenes));
-}
-
 /// The series of a report that are, in its order.
 std::vector<Series> programs_of(const Report& report);
 /// Those with that projection.

@@ -21,7 +21,7 @@ DataFrame winners(const ReportView& view) {
   for (const Filled& filled : filled_scenes(report)) scenes.push_back(filled.scene);
   for (const std::string_view projection : {kFaces, kDirections})
     for (std::size_t i = 0; i < scenes.size(); ++i)
-      for (const int width : widths_of(report))
+      for (const int width : machine_widths_of(report))
         if (const auto best = winner(ReportView(report, scenes[i]), projection, width))
           frame.add({shown_facet(best->series), scenes[i], i, width,
                      shown_kernel(best->series.kernel), best->per_octant});
@@ -45,7 +45,7 @@ DataFrame costs_over_fill(const ReportView& view) {
   DataFrame frame(series_columns({{"filled", "Filled", ".0%"}, {"cost", "Instr./octant", ".1f"}}));
   const Report& report = view.report();
   for (const Series& series : programs_of(report))
-    for (const int width : widths_of(report))
+    for (const int width : machine_widths_of(report))
       for (const Filled& filled : filled_scenes(report))
         if (const auto cost = per_octant(ReportView(report, filled.scene), series, width))
           frame.add({shown_kernel(series.kernel), shown_facet(series), width, filled.share, *cost});
@@ -62,10 +62,9 @@ constexpr std::string_view kOverFill = R"json({
     "color": {"field": "kernel", "type": "nominal", "title": null, "sort": "@kernels"}}
 })json";
 
-std::vector<SectionBlock> build(const ReportView& all) {
-  const Report report = programs_alone(all.report());
-  if (report.runs.empty()) return {};
-  const ReportView view(report, scenes_of(report, all.scenes()));
+std::vector<SectionBlock> build(const ReportView& view) {
+  const Report& report = view.report();
+  if (programs_of(report).empty()) return {};
   return {Chart{"winners",
                 "The program that needs the fewest instructions for an octant, and how many.",
                 spec_from(kWinners, report),

@@ -28,6 +28,6 @@ TableData build(const ReportView& view) {
 namespace lanescope {
 
 extern const Table littlest_t_project{"project", "instructions of the conversion, and its share",
-                                      littlest::of_programs<littlest::build>};
+                                      littlest::build};
 
 }  // namespace lanescope

@@ -32,6 +32,6 @@ namespace lanescope {
 
 extern const Table littlest_t_utilization{
     "utilization", "utilization and instructions of each program, by stage and width",
-    littlest::of_programs<littlest::build>};
+    littlest::build};
 
 }  // namespace lanescope

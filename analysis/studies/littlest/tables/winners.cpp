@@ -10,7 +10,7 @@ namespace {
 Row scene_row(const Report& report, const std::string& scene, std::string_view projection) {
   const ReportView view(report, scene);
   Row row{scene, {}};
-  for (const int width : widths_of(report)) {
+  for (const int width : machine_widths_of(report)) {
     Cell cell;
     if (const auto best = winner(view, projection, width))
       cell.words = fmt::format("{} {:.1f}", shown_kernel(best->series.kernel), best->per_octant);
@@ -26,7 +26,7 @@ TableData build(const ReportView& view) {
   data.caption = "each world by itself";
   data.row_header = "World";
   if (programs_of(report).empty()) return data;
-  data.columns = width_headers(widths_of(report));
+  data.columns = width_headers(machine_widths_of(report));
   for (const std::string_view projection : {kFaces, kDirections}) {
     if (programs_of(report, projection).size() < 2) continue;
     data.rows.push_back({fmt::format("projection = {}", projection), {}});
@@ -45,6 +45,6 @@ namespace lanescope {
 
 extern const Table littlest_t_winners{
     "winners", "which program needs the fewest instructions, for each world and width",
-    littlest::of_programs<littlest::build>};
+    littlest::build};
 
 }  // namespace lanescope
