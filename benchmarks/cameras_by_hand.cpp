@@ -47,6 +47,7 @@ class Cameras {
   Cameras(const Brick& brick, Projection projection)
       : brick_(brick),
         memory_(brick),
+        level_(memory_.levels[0]),
         rows_(memory_.rows().data),
         samples_(sky_samples(projection)),
         cubes_(cube_images(projection)) {}
@@ -78,8 +79,8 @@ class Cameras {
       const bool is_there = first + i < memory_.size();
       const auto at = static_cast<std::size_t>(is_there ? first + i : first);
       valid_[i / kHostLanes][i % kHostLanes] = is_there ? -1 : 0;
-      probe_row_[i / kHostLanes][i % kHostLanes] = memory_.row[at];
-      probe_bit_[i / kHostLanes][i % kHostLanes] = memory_.bit[at];
+      probe_row_[i / kHostLanes][i % kHostLanes] = level_.row[at];
+      probe_bit_[i / kHostLanes][i % kHostLanes] = level_.bit[at];
     }
   }
 
@@ -87,7 +88,7 @@ class Cameras {
   bool begin(int octant) {
     V any = {};
     for (int v = 0; v < kVectors; ++v) {
-      row_[v] = probe_row_[v] + octant_start(octant);
+      row_[v] = probe_row_[v] + level_.start[static_cast<std::size_t>(octant)];
       bit_[v] = octant & 1 ? kReach - probe_bit_[v] : probe_bit_[v];
       open_[v] = valid_[v] & ((gather(rows_, row_[v]) >> bit_[v] & 1) - 1);
       seeing_[v] = open_[v];
@@ -99,7 +100,7 @@ class Cameras {
   }
 
   void merge_octant(int octant) {
-    const std::int32_t* const steps = octant_row_steps().data() + octant * kOctantRows;
+    const std::int32_t* const steps = level_.steps->data() + octant * kOctantRows;
     for (int r = 0; r < kOctantRows; ++r) {
       V cubes[kVectors], anywhere = {};
       for (int v = 0; v < kVectors; ++v) {
@@ -168,6 +169,7 @@ class Cameras {
 
   const Brick& brick_;
   BrickMemory memory_;
+  const Level& level_;
   const std::int32_t* rows_;
   const SkySamples& samples_;
   const CubeImages& cubes_;

@@ -23,15 +23,9 @@ class AcrossCameras {
       vm_.begin_batch();
       const Lanes valid = vm_.first_n(brick.size() - first);
       HarmonicVectors<Vm> sums;
-      Int row, bit;
-      {
-        auto on = sites.scanning.on(valid);
-        row = load(on, brick.probe_rows(), first);
-        bit = load(on, brick.probe_bits(), first);
-      }
       clear<Vm>(sites.summing, valid, sums);
       for (int octant = 0; octant < kOctants; ++octant) {
-        const Lanes open = render_octant(sites, brick, valid, row, bit, octant);
+        const Lanes open = render_octant(sites, brick, valid, first, octant);
         if constexpr (Vm::kCounted)
           sink_.counts[kOctantsBlocked] += static_cast<std::uint64_t>(valid.count() - open.count());
         if (!open.any()) continue;
@@ -68,40 +62,55 @@ class AcrossCameras {
   };
 
   /// Renders an octant of each lane's corner. Returns the lanes that are not blocked.
-  Lanes render_octant(Sites& sites, const BrickMemory& brick, Lanes valid, const Int& probe_row,
-                      const Int& probe_bit, int octant) {
+  Lanes render_octant(Sites& sites, const BrickMemory& brick, Lanes valid, int first, int octant) {
     using namespace isa;
-    Int row, bit;
     Lanes open;
     {
       auto on = sites.scanning.on(valid);
-      row = add(on, probe_row, octant_start(octant));
-      bit = first_bit<Vm>(on, probe_bit, octant);
-      open = cmp_eq(on, bit_and(on, shr(on, gather(on, brick.rows(), row), bit), 1), 0);
+      const FirstCubes<Vm> cubes = first_cubes<Vm>(on, brick.levels[0], first, octant);
+      open = cmp_eq(on, cubes_of_row<Vm>(on, brick.rows(), cubes.row, cubes.bit, 1), 0);
     }
     if (!open.any()) return open;
     clear_images<Vm>(sites.clearing, open, image_, samples_.words);
-    const std::int32_t* const steps = octant_row_steps().data() + octant * kOctantRows;
     Lanes seeing = open;
-    int r = 0;
-    for (const int end : kCheckedRows) {
-      for (; r < end; ++r) merge_row(sites, brick, seeing, row, bit, steps[r], r);
-      if (end == kOctantRows) break;
-      seeing = seeing & ~full_images<Vm>(sites.checking, seeing, image_, samples_.words);
+    for (const Level& level : brick.levels) {
+      seeing = render_level(sites, brick, level, seeing, first, octant);
       if (!seeing.any()) break;
     }
     return open;
   }
 
+  /// Merges what one level has. Returns the lanes whose image is not full.
+  Lanes render_level(Sites& sites, const BrickMemory& brick, const Level& level, Lanes seeing,
+                     int first, int octant) {
+    FirstCubes<Vm> cubes;
+    {
+      auto on = sites.scanning.on(seeing);
+      cubes = first_cubes<Vm>(on, level, first, octant);
+    }
+    const std::int32_t* const steps = level.steps->data() + octant * kOctantRows;
+    int r = 0;
+    for (const int end : kCheckedRows) {
+      for (; r < end; ++r)
+        merge_row(sites, brick, seeing, cubes, steps[r],
+                  (*level.row_bits)[static_cast<std::size_t>(r)], r);
+      if (end == kOctantRows && &level == &brick.levels.back()) break;
+      seeing = seeing & ~full_images<Vm>(sites.checking, seeing, image_, samples_.words);
+      if (!seeing.any()) break;
+    }
+    return seeing;
+  }
+
   /// Merges the filled cubes of a row.
   LANESCOPE_INLINE void merge_row(Sites& sites, const BrickMemory& brick, Lanes seeing,
-                                  const Int& row, const Int& bit, std::int32_t step, int r) {
+                                  const FirstCubes<Vm>& first, std::int32_t step,
+                                  std::int32_t row_bits, int r) {
     using namespace isa;
     Int cubes;
     std::int32_t anywhere;
     {
       auto on = sites.seeing.on(seeing);
-      cubes = cubes_of_row<Vm>(on, brick.rows(), add(on, row, step), bit);
+      cubes = cubes_of_row<Vm>(on, brick.rows(), add(on, first.row, step), first.bit, row_bits);
       anywhere = hor(on, cubes);
     }
     for_each_bit(anywhere, [&](int i) LANESCOPE_INLINE_LAMBDA {

@@ -23,13 +23,13 @@ class AcrossCubes {
   }
 
   /// Renders an octant that is open.
-  void render(const RowsOfOctant& octant, ImageMemory& image) {
+  void render(const OctantLevels& octant, ImageMemory& image) {
     Sites sites(vm_);
     words_.fill(0);
     queued_ = 0;
-    bool full = false;
-    for (int first = 0; first < kOctantRows && !full; first += vm_.width())
-      full = queue_rows(sites, octant, first);
+    const bool full = octant.merge_all(vm_.width(), [&](const RowsOfOctant& rows, int first) {
+      return queue_rows(sites, rows, first);
+    });
     if (!full && queued_ > 0) merge(sites, queued_);
     image.words.fill(0, words_.data(), words_.size());
   }

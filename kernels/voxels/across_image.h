@@ -24,14 +24,15 @@ class AcrossImage {
   }
 
   /// Renders an octant that is open.
-  void render(const RowsOfOctant& octant, ImageMemory& image) {
+  void render(const OctantLevels& octant, ImageMemory& image) {
     using namespace isa;
     Sites sites(vm_);
     for_each_part(sites.clearing, [&](auto& on, int part, int)
                                       LANESCOPE_INLINE_LAMBDA { words_[part] = broadcast(on, 0); });
     unchecked_ = 0;
-    for (int first = 0; first < kOctantRows; first += vm_.width())
-      if (merge_rows(sites, octant, first)) break;
+    octant.merge_all(vm_.width(), [&](const RowsOfOctant& rows, int first) {
+      return merge_rows(sites, rows, first);
+    });
     for_each_part(sites.storing, [&](auto& on, int part, int first) LANESCOPE_INLINE_LAMBDA {
       store(on, image.words.memory(), first, words_[part]);
     });

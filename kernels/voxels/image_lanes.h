@@ -7,26 +7,52 @@
 
 namespace lanescope {
 
-/// The rows of cubes of one octant.
+/// The rows of one octant, of one level.
 struct RowsOfOctant {
-  RowsOfOctant(const BrickMemory& brick, int probe, int octant)
+  RowsOfOctant(const BrickMemory& brick, const Level& level, int probe, int octant)
       : rows(brick.rows()),
-        steps(read_only(octant_row_steps().data() + octant * kOctantRows, kOctantRows,
-                        "steps to rows")),
-        row(brick.row[static_cast<std::size_t>(probe)] + octant_start(octant)),
-        bit(octant & 1 ? kReach - brick.bit[static_cast<std::size_t>(probe)]
-                       : brick.bit[static_cast<std::size_t>(probe)]) {}
+        steps(memory_of(*level.steps, "steps to rows")
+                  .part(static_cast<std::size_t>(octant) * kOctantRows, kOctantRows)),
+        row_bits(memory_of(*level.row_bits, "bits of rows")),
+        row(level.row[static_cast<std::size_t>(probe)] +
+            level.start[static_cast<std::size_t>(octant)]),
+        bit(level.bit[static_cast<std::size_t>(probe)]) {
+    if (octant & 1) bit = level.turned_bit - bit;
+  }
 
   /// The filled cubes of rows first, first + 1 ..., a row a lane.
   template <class Vm, class On>
   LANESCOPE_INLINE typename Vm::Int cubes(On& on, int first) const {
     using namespace isa;
     const auto place = add(on, load(on, steps, first), row);
-    return bit_and(on, shr(on, gather(on, rows, place), bit), kRowBits);
+    return bit_and(on, shr(on, gather(on, rows, place), bit), load(on, row_bits, first));
   }
 
-  Memory<const std::int32_t> rows, steps;
+  Memory<const std::int32_t> rows, steps, row_bits;
   std::int32_t row, bit;
+};
+
+/// The rows of one octant, the nearest level first.
+class OctantLevels {
+ public:
+  OctantLevels(const BrickMemory& brick, int probe, int octant)
+      : brick_(brick), probe_(probe), octant_(octant) {}
+
+  /// Calls `merge(rows, first)` for each W rows, until it returns that the image is full. Returns
+  /// whether it is.
+  template <class Merge>
+  LANESCOPE_INLINE bool merge_all(int width, const Merge& merge) const {
+    for (const Level& level : brick_.levels) {
+      const RowsOfOctant rows(brick_, level, probe_, octant_);
+      for (int first = 0; first < kOctantRows; first += width)
+        if (merge(rows, first)) return true;
+    }
+    return false;
+  }
+
+ private:
+  const BrickMemory& brick_;
+  int probe_, octant_;
 };
 
 /// An image in memory, with as many words as are read at a time beyond its end.
@@ -112,7 +138,7 @@ class ScalarSums {
 };
 
 /// A program that renders one octant at a time. Renderer has
-///   void render(const RowsOfOctant&, ImageMemory&);
+///   void render(const OctantLevels&, ImageMemory&);
 template <class Vm, class Renderer>
 void render_each_octant(Vm& vm, const BrickMemory& brick, const SkySamples& samples,
                         OpenOctants& open, ImageMemory& image, ScalarSums& sums,
@@ -123,7 +149,7 @@ void render_each_octant(Vm& vm, const BrickMemory& brick, const SkySamples& samp
   for (int i = 0; i < open.size; ++i) {
     const int probe = open.probe(i), octant = open.octant(i);
     vm.begin_batch();
-    renderer.render(RowsOfOctant(brick, probe, octant), image);
+    renderer.render(OctantLevels(brick, probe, octant), image);
     sink.take(brick.brick->first_probe + static_cast<std::uint64_t>(probe), octant,
               image.words.data(), samples.words, 1);
     sums.add(probe, octant,

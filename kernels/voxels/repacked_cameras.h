@@ -32,7 +32,7 @@ class RepackedCameras {
     hold(open_.size);
     Sites sites(vm_);
     clear_memory(sites.clearing, images_->memory(), open_.size * samples_.words);
-    render_octants(sites, brick);
+    for (const Level& level : brick.levels) render_octants(sites, brick, level);
     for (int i = 0; i < open_.size; ++i)
       sink_.take(brick.brick->first_probe + static_cast<std::uint64_t>(open_.probe(i)),
                  open_.octant(i), images_->data() + i * samples_.words, samples_.words, 1);
@@ -88,11 +88,11 @@ class RepackedCameras {
     }
   }
 
-  void render_octants(Sites& sites, const BrickMemory& brick) {
+  void render_octants(Sites& sites, const BrickMemory& brick, const Level& level) {
     AtWork lanes;
     int taken = 0, unchecked = 0;
     while (true) {
-      if (taken < open_.size) take_octants(sites, brick, lanes, taken);
+      if (taken < open_.size) take_octants(sites, level, lanes, taken);
       if (!lanes.busy.any()) return;
       if (is_worth_merging(lanes)) {
         merge(sites, lanes);
@@ -101,7 +101,7 @@ class RepackedCameras {
           unchecked = 0;
         }
       } else {
-        seek(sites, brick, lanes);
+        seek(sites, brick, level, lanes);
       }
       lanes.busy = lanes.busy & ~(lanes.last & ~lanes.found);
     }
@@ -117,7 +117,7 @@ class RepackedCameras {
   }
 
   /// Free lanes take the next octants of the list.
-  void take_octants(Sites& sites, const BrickMemory& brick, AtWork& lanes, int& taken) {
+  void take_octants(Sites& sites, const Level& level, AtWork& lanes, int& taken) {
     using namespace isa;
     const Lanes free = vm_.all() & ~lanes.busy;
     if (!free.any()) return;
@@ -131,28 +131,34 @@ class RepackedCameras {
       auto into = sites.turning.on(loaded);
       const auto probe = shr(into, item, 3);
       const auto octant = bit_and(into, item, kOctants - 1);
-      const auto start = gather(into, octant_starts(), octant);
-      lanes.row = move(into, add(into, gather(into, brick.probe_rows(), probe), start), lanes.row);
-      lanes.bit = gather(into, brick.probe_bits(), probe, lanes.bit);
+      const auto start = gather(
+          into, read_only(level.start.data(), level.start.size(), "starts of octants"), octant);
+      const auto row = gather(into, memory_of(level.row, "rows of probes"), probe);
+      lanes.row = move(into, add(into, row, start), lanes.row);
+      lanes.bit = gather(into, memory_of(level.bit, "bits of probes"), probe, lanes.bit);
       lanes.next = move(into, mul(into, octant, kOctantRows), lanes.next);
       lanes.image = move(into, mul(into, place, samples_.words), lanes.image);
       falling = cmp_ne(into, bit_and(into, octant, 1), 0);
     }
     auto on = sites.turning.on(falling);
-    lanes.bit = move(on, sub(on, kReach, lanes.bit), lanes.bit);
+    lanes.bit = move(on, sub(on, level.turned_bit, lanes.bit), lanes.bit);
     taken += loaded.count();
     lanes.busy = lanes.busy | loaded;
     lanes.last = lanes.last & ~loaded;
   }
 
   /// Lanes without a cube go on to their next row.
-  LANESCOPE_INLINE void seek(Sites& sites, const BrickMemory& brick, AtWork& lanes) {
+  LANESCOPE_INLINE void seek(Sites& sites, const BrickMemory& brick, const Level& level,
+                             AtWork& lanes) {
     using namespace isa;
     const Lanes seeking = lanes.busy & ~lanes.found;
     auto on = sites.seeking.on(seeking);
-    const auto row = add(on, lanes.row, gather(on, steps(), lanes.next));
-    lanes.cubes = move(on, cubes_of_row<Vm>(on, brick.rows(), row, lanes.bit), lanes.cubes);
+    const auto row =
+        add(on, lanes.row, gather(on, memory_of(*level.steps, "steps to rows"), lanes.next));
     const auto number = bit_and(on, lanes.next, kOctantRows - 1);
+    const auto row_bits = gather(on, memory_of(*level.row_bits, "bits of rows"), number);
+    lanes.cubes =
+        move(on, cubes_of_row<Vm>(on, brick.rows(), row, lanes.bit, row_bits), lanes.cubes);
     lanes.first_cube = move(on, mul(on, number, kReach), lanes.first_cube);
     lanes.next = move(on, add(on, lanes.next, 1), lanes.next);
     lanes.found = lanes.found | cmp_ne(on, lanes.cubes, 0);
@@ -239,21 +245,6 @@ class RepackedCameras {
   }
 
   std::size_t images_size() const { return static_cast<std::size_t>(held_ * kMostWords); }
-
-  static Memory<const std::int32_t> steps() {
-    const auto& all = octant_row_steps();
-    return read_only(all.data(), all.size(), "steps to rows");
-  }
-
-  static Memory<const std::int32_t> octant_starts() {
-    static constexpr std::array<std::int32_t, kOctants> kStarts = [] {
-      std::array<std::int32_t, kOctants> starts{};
-      for (int octant = 0; octant < kOctants; ++octant)
-        starts[static_cast<std::size_t>(octant)] = octant_start(octant);
-      return starts;
-    }();
-    return read_only(kStarts.data(), kStarts.size(), "starts of octants");
-  }
 
   Vm& vm_;
   const SkySamples& samples_;

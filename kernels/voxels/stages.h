@@ -15,8 +15,6 @@ namespace lanescope {
 inline constexpr std::array<std::string_view, 3> kProbeStages{"Scan", "Merge", "Project"};
 enum ProbeStage : std::size_t { kScan, kMerge, kProject };
 
-inline constexpr std::int32_t kRowBits = 0xffff;  ///< The 16 cubes of a row of an octant.
-
 /// Bit b of a mask of rows or cubes, lowest first.
 template <class Visit>
 LANESCOPE_INLINE void for_each_bit(std::int32_t mask, const Visit& visit) {
@@ -24,20 +22,31 @@ LANESCOPE_INLINE void for_each_bit(std::int32_t mask, const Visit& visit) {
     visit(std::countr_zero(bits));
 }
 
-/// The bit of the first cube of an octant in each lane; see Brick::RowWord.
+/// Where the rows of an octant begin, in each lane.
+template <class Vm>
+struct FirstCubes {
+  typename Vm::Int row, bit;
+};
+
+/// Those of the probes first, first + 1 ...
 template <class Vm, class On>
-LANESCOPE_INLINE typename Vm::Int first_bit(On& on, const typename Vm::Int& bit, int octant) {
-  if (octant & 1) return isa::sub(on, kReach, bit);
-  return bit;
+LANESCOPE_INLINE FirstCubes<Vm> first_cubes(On& on, const Level& level, int first, int octant) {
+  using namespace isa;
+  const auto row = load(on, memory_of(level.row, "rows of probes"), first);
+  auto bit = load(on, memory_of(level.bit, "bits of probes"), first);
+  if (octant & 1) bit = sub(on, level.turned_bit, bit);
+  return {add(on, row, level.start[static_cast<std::size_t>(octant)]), bit};
 }
 
-/// The cubes of a row of an octant in each lane, as bits: bit 0 is the nearest.
-template <class Vm, class On>
+/// The cubes of a row of an octant in each lane, as bits: bit 0 is the nearest. Those of
+/// `row_bits`, a vector or a scalar, count.
+template <class Vm, class On, class RowBits>
 LANESCOPE_INLINE typename Vm::Int cubes_of_row(On& on, Memory<const std::int32_t> rows,
                                                const typename Vm::Int& row,
-                                               const typename Vm::Int& bit) {
+                                               const typename Vm::Int& bit,
+                                               const RowBits& row_bits) {
   using namespace isa;
-  return bit_and(on, shr(on, gather(on, rows, row), bit), kRowBits);
+  return bit_and(on, shr(on, gather(on, rows, row), bit), row_bits);
 }
 
 /// An octant of a probe that is to be rendered: 8 probe + octant.
@@ -68,9 +77,8 @@ void list_open_octants(Vm& vm, const BrickMemory& brick, OpenOctants& open,
       typename Vm::Int listed;
       {
         auto on = scanning.on(valid);
-        const auto row = add(on, load(on, brick.probe_rows(), first), octant_start(octant));
-        const auto bit = first_bit<Vm>(on, load(on, brick.probe_bits(), first), octant);
-        const auto nearest = bit_and(on, shr(on, gather(on, brick.rows(), row), bit), 1);
+        const FirstCubes<Vm> cubes = first_cubes<Vm>(on, brick.levels[0], first, octant);
+        const auto nearest = cubes_of_row<Vm>(on, brick.rows(), cubes.row, cubes.bit, 1);
         const auto is_open = cmp_eq(on, nearest, 0);
         const auto item = add(on, mul(on, add(on, lane_index(on), first), kOctants), octant);
         listed = compress(on, is_open, item);

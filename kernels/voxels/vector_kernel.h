@@ -21,34 +21,36 @@ inline Memory<const std::int32_t> words_of(const std::vector<std::uint32_t>& wor
   return read_only(reinterpret_cast<const std::int32_t*>(words.data()), words.size(), name);
 }
 
-/// A brick as programs address it. A probe's row is the first word of the row of cubes from which
-/// the octant x, y, z >= 0 begins, and its bit the one of its first cube.
+/// What probes see of a brick in one go: cubes, or beyond them megacubes. In either case an octant
+/// is 16 x 16 rows of 16, and the images are the same.
+struct Level {
+  /// The first word of the rows that begin at each probe, and its bit there, for octants in which
+  /// nothing falls; [probes].
+  std::vector<std::int32_t> row, bit;
+  std::int32_t turned_bit;                   ///< Minus the bit, if x falls.
+  std::array<std::int32_t, kOctants> start;  ///< From the first word to that of each octant.
+  /// [octant][kOctantRows] From there to each row, in the order of octant_rows().
+  const std::vector<std::int32_t>* steps;
+  /// [kOctantRows] Of each row, those that count: megacubes within reach do not.
+  const std::vector<std::int32_t>* row_bits;
+};
+
+/// A brick as programs address it.
 struct BrickMemory {
   explicit BrickMemory(const Brick& brick);
 
   Memory<const std::int32_t> rows() const { return words_of(brick->rows, "rows of cubes"); }
-  Memory<const std::int32_t> probe_rows() const {
-    return read_only(row.data(), row.size(), "rows of probes");
-  }
-  Memory<const std::int32_t> probe_bits() const {
-    return read_only(bit.data(), bit.size(), "bits of probes");
-  }
-  int size() const { return static_cast<int>(row.size()); }
+  int size() const { return static_cast<int>(brick->probes.size()); }
 
   const Brick* brick;
-  std::vector<std::int32_t> row, bit;  ///< [probes]
+  std::vector<Level> levels;  ///< The nearest first.
 };
 
-/// The row of the first cubes of an octant, as words after the one of BrickMemory::row.
-constexpr std::int32_t octant_start(int octant) {
-  const auto step = [](bool falls, int row) { return falls ? -row : 0; };
-  return step(octant & 2, Brick::row(1, 0)) + step(octant & 4, Brick::row(0, 1)) +
-         (octant & 1 ? Brick::kBackward : Brick::kForward);
+/// A list of a level as programs address it.
+inline Memory<const std::int32_t> memory_of(const std::vector<std::int32_t>& list,
+                                            std::string_view name) {
+  return read_only(list.data(), list.size(), name);
 }
-
-/// The rows of an octant in the order of octant_rows(), as words after the first one;
-/// [octant][256], one after the other. They do not depend on the way along x.
-const std::vector<std::int32_t>& octant_row_steps();
 
 /// What a program is started with. The probes' floats are kHarmonics for each, in their order.
 struct ProbeProgram {

@@ -21,6 +21,38 @@ Cell cube_at(const Probe& probe, int octant, const std::array<int, 3>& away) {
   return {place(probe.x, 0), place(probe.y, 1), place(probe.z, 2)};
 }
 
+/// A megacube of an octant likewise: of its cubes the one nearest to the origin, relative to that
+/// of the brick.
+Cell megacube_at(const Probe& probe, int octant, const std::array<int, 3>& away) {
+  const auto place = [&](int corner, std::size_t axis) {
+    const bool falls = octant >> axis & 1;
+    return corner + kMegaCube * (falls ? -1 - away[axis] : away[axis]);
+  };
+  return {place(probe.x, 0), place(probe.y, 1), place(probe.z, 2)};
+}
+
+int farthest(const std::array<int, 3>& away) { return *std::max_element(away.begin(), away.end()); }
+
+/// Walks the places that a ray from the origin runs through, in order. Returns whether one within
+/// kReach is filled.
+template <class IsFilled>
+bool meets_filled(const SampleDirection& direction, const IsFilled& is_filled) {
+  std::array<int, 3> away{};
+  while (true) {
+    if (is_filled(away)) return true;
+    // The wall that comes next is at (away + 1) / direction; walls at one place are crossed at
+    // once.
+    std::size_t nearest = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis)
+      if ((away[axis] + 1) * direction[nearest] < (away[nearest] + 1) * direction[axis])
+        nearest = axis;
+    const int wall = away[nearest] + 1, along = direction[nearest];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if ((away[axis] + 1) * along == wall * direction[axis]) ++away[axis];
+    if (farthest(away) == kReach) return false;
+  }
+}
+
 bool is_blocked(const Brick& brick, const Probe& probe, int octant) {
   return brick.filled(cube_at(probe, octant, {0, 0, 0}));
 }
@@ -94,20 +126,13 @@ std::unique_ptr<Execution> start(const Launch& launch) {
 
 bool is_occluded(const Brick& brick, const Probe& probe, int octant,
                  const SampleDirection& direction) {
-  std::array<int, 3> away{};
-  while (true) {
-    if (brick.filled(cube_at(probe, octant, away))) return true;
-    // The wall that comes next is at (away + 1) / direction; walls at one place are crossed at
-    // once.
-    std::size_t nearest = 0;
-    for (std::size_t axis = 1; axis < 3; ++axis)
-      if ((away[axis] + 1) * direction[nearest] < (away[nearest] + 1) * direction[axis])
-        nearest = axis;
-    const int wall = away[nearest] + 1, along = direction[nearest];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((away[axis] + 1) * along == wall * direction[axis]) ++away[axis];
-    if (*std::max_element(away.begin(), away.end()) == kReach) return false;
-  }
+  if (meets_filled(direction,
+                   [&](const auto& away) { return brick.filled(cube_at(probe, octant, away)); }))
+    return true;
+  return brick.has_megacubes() && meets_filled(direction, [&](const auto& away) {
+           return farthest(away) >= kMegaSkipped &&
+                  brick.mega_filled(megacube_at(probe, octant, away));
+         });
 }
 
 std::array<double, kHarmonics> sky_seen(const Brick& brick, const Probe& probe,

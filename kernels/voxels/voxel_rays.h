@@ -13,7 +13,7 @@
 namespace lanescope {
 
 /// Whether a ray from a corner of a brick meets a filled cube within kReach cubes of the corner
-/// along each axis. `octant` says which way each axis goes.
+/// along each axis or, beyond them, an opaque megacube. `octant` says which way each axis goes.
 bool is_occluded(const Brick& brick, const Probe& probe, int octant,
                  const SampleDirection& direction);
 

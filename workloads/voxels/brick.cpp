@@ -22,4 +22,11 @@ void Brick::fill(Cell c) {
   if (c.x < 32) rows[word + kBackward] |= 1u << (31 - c.x);
 }
 
+void Brick::fill_mega(Cell c) {
+  const int place = c.x & (kMegaCube - 1), step = (c.x - place) / kMegaCube;
+  const auto word = static_cast<std::size_t>(mega_row(place, c.y, c.z));
+  if (step >= 0) rows[word + kForward] |= 1u << step;
+  if (step <= 2) rows[word + kBackward] |= 1u << (2 - step);
+}
+
 }  // namespace lanescope

@@ -27,6 +27,8 @@ struct WorldOptions {
   std::optional<int> size_cubes;      ///< Of a built-in scene.
   std::optional<std::uint64_t> seed;  ///< Of a built-in scene.
   int piece_probes = 256;
+  int levels = 1;
+  std::optional<float> mega_fill = 0.5f;  ///< With two levels.
 };
 
 inline const Parameters<WorldOptions>& world_parameters() {
@@ -48,6 +50,16 @@ inline const Parameters<WorldOptions>& world_parameters() {
        {"piece_probes", "--piece-probes", "probes", "Kernels drain after N probes of a brick"},
        1,
        kMostProbes},
+      {&W::levels,
+       {"levels", "--levels", kNoUnit,
+        "What probes see: 16 cubes each way (1), and 16 megacubes of 4 x 4 x 4 cubes (2)"},
+       1,
+       2},
+      {&W::mega_fill,
+       {"mega_fill", "--mega-fill", "cubes / cubes",
+        "A megacube is opaque if this share of its cubes is filled"},
+       0.0f,
+       1.0f},
   };
   return all;
 }

@@ -22,8 +22,9 @@ void for_bricks(int first, int last, const Visit& visit) {
 
 }  // namespace
 
-VoxelSource::VoxelSource(std::shared_ptr<const World> world, int piece_probes)
-    : world_(std::move(world)), piece_probes_(static_cast<std::size_t>(piece_probes)) {
+VoxelSource::VoxelSource(std::shared_ptr<const World> world, const WorldOptions& options)
+    : world_(std::move(world)), piece_probes_(static_cast<std::size_t>(options.piece_probes)) {
+  if (options.levels == 2) megacubes_.emplace(*world_, options.mega_fill.value_or(0.0f));
   const Cell size = world_->size();
   const int margin = world_->margin;
   for_bricks(margin, size.z - margin, [&](int z) {
@@ -74,7 +75,8 @@ std::vector<std::uint64_t> VoxelSource::produce(int segment, const WorkSink& sin
 
 std::vector<std::uint64_t> VoxelSource::fill(Brick& brick) const {
   std::uint64_t seen = 0, filled = 0;
-  brick.clear();
+  brick.clear(megacubes_.has_value());
+  if (megacubes_) fill_megacubes(brick);
   for (int z = 0; z < kBrickCubes; ++z)
     for (int y = 0; y < kBrickCubes; ++y)
       for (int x = 0; x < kBrickCubes; ++x) {
@@ -87,6 +89,15 @@ std::vector<std::uint64_t> VoxelSource::fill(Brick& brick) const {
         brick.fill({x, y, z});
       }
   return {1, seen, filled};
+}
+
+void VoxelSource::fill_megacubes(Brick& brick) const {
+  constexpr int kFirst = -kMegaCube * kReach, kEnd = kFirst + kMegaPlaces;
+  for (int z = kFirst; z < kEnd; ++z)
+    for (int y = kFirst; y < kEnd; ++y)
+      for (int x = kFirst; x < kEnd; ++x)
+        if (megacubes_->opaque({brick.origin.x + x, brick.origin.y + y, brick.origin.z + z}))
+          brick.fill_mega({x, y, z});
 }
 
 std::vector<std::string> VoxelSource::notes() const {

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "workloads/voxels/brick.h"
+#include "workloads/voxels/megacubes.h"
+#include "workloads/voxels/options.h"
 #include "workloads/voxels/world.h"
 #include "workloads/work.h"
 
@@ -26,8 +28,8 @@ inline constexpr std::array<CounterInfo, 3> kWorldCounters{
 /// the lattice where a filled cube meets an empty one.
 class VoxelSource final : public Source {
  public:
-  /// Pieces have at most that many probes.
-  explicit VoxelSource(std::shared_ptr<const World> world, int piece_probes = kMostProbes);
+  /// Of the options, those of pieces and of megacubes count.
+  explicit VoxelSource(std::shared_ptr<const World> world, const WorldOptions& options = {});
 
   int segment_count() const override { return static_cast<int>(bricks_.size()); }
   std::vector<std::uint64_t> produce(int segment, const WorkSink& sink) const override;
@@ -48,9 +50,11 @@ class VoxelSource final : public Source {
   std::vector<Probe> probes_of(Cell origin) const;
   /// Fills the cubes of a brick. Returns the counters.
   std::vector<std::uint64_t> fill(Brick& brick) const;
+  void fill_megacubes(Brick& brick) const;
 
   std::shared_ptr<const World> world_;
   std::size_t piece_probes_;
+  std::optional<Megacubes> megacubes_;
   std::vector<Place> bricks_;
   std::uint64_t probe_count_ = 0;
 };

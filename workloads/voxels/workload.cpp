@@ -12,15 +12,22 @@ namespace {
 constexpr std::uint64_t kDefaultSize = 48;
 constexpr std::uint64_t kDefaultSeed = 1;
 
+/// Without megacubes no share decides on them.
+void forget_megacubes(Arguments& arguments) {
+  if (decoded(world_parameters(), arguments).levels == 1) arguments.set("mega_fill", {});
+}
+
 /// A file has neither size nor seed to choose.
 void resolve(const std::string& scene, Arguments& arguments) {
   if (w_voxels.is_file(scene)) {
     arguments.set("world_size", {});
     arguments.set("world_seed", {});
+    forget_megacubes(arguments);
     return;
   }
   find_voxel_scene(scene);
   const auto options = decoded(world_parameters(), arguments);
+  forget_megacubes(arguments);
   if (!options.size_cubes) arguments.set("world_size", kDefaultSize);
   if (!options.seed) arguments.set("world_seed", kDefaultSeed);
 }
@@ -34,7 +41,7 @@ std::unique_ptr<Source> open(const std::string& name, const Arguments& arguments
           : find_voxel_scene(name).build(options.size_cubes.value_or(kDefaultSize),
                                          options.seed.value_or(kDefaultSeed)));
   if (progress) progress(0.5);
-  auto source = std::make_unique<VoxelSource>(std::move(world), options.piece_probes);
+  auto source = std::make_unique<VoxelSource>(std::move(world), options);
   if (progress) progress(1.0);
   return source;
 }

@@ -24,6 +24,15 @@ TEST_P(VoxelAgreement, WithTheReference) {
   test::expect_agreement(few, projection, {Mode::kChecked, Mode::kTracing}, {1, 7, 16, 33, 64});
 }
 
+/// With megacubes beyond the cubes.
+TEST_P(VoxelAgreement, OfTwoLevels) {
+  const auto [scene, projection] = GetParam();
+  const auto bricks = test::bricks_of(scene->build(70, 4), 461, 2);
+  test::expect_agreement(bricks, projection, {Mode::kCounting, Mode::kUncounted}, {1, 5, 24, 64});
+  const std::vector<Brick> few(bricks.begin(), bricks.begin() + 1);
+  test::expect_agreement(few, projection, {Mode::kChecked, Mode::kTracing}, {7, 64});
+}
+
 /// Bricks are independent: two executions that share them count what one does.
 TEST_P(VoxelAgreement, OfSplitExecutions) {
   const auto [scene, projection] = GetParam();

@@ -91,6 +91,23 @@ TEST(KnownImages, ReachIsSixteenCubes) {
   }
 }
 
+/// A shell of megacubes hides all, but those that the reach of cubes holds are skipped.
+TEST(KnownImages, MegacubesBeginWhereTheReachEnds) {
+  for (const int distance : {kMegaSkipped - 1, kMegaSkipped, kReach - 1}) {
+    Brick brick = empty_brick(0, {{8, 9, 10}});
+    brick.clear(true);
+    for (int i = 0; i < 8 * kOctantCubes; ++i) {
+      const int away[] = {i % 16, i / 16 % 16, i / 256 % 16}, octant = i / kOctantCubes;
+      if (std::max({away[0], away[1], away[2]}) != distance) continue;
+      const auto at = [&](int corner, int axis) {
+        return corner + kMegaCube * (octant >> axis & 1 ? -1 - away[axis] : away[axis]);
+      };
+      brick.fill_mega({at(8, 0), at(9, 1), at(10, 2)});
+    }
+    expect_harmonics(brick, {distance < kMegaSkipped ? kOpenSky : 0, 0, 0, 0}, 1e-6);
+  }
+}
+
 /// One cube in each of the 4096 places of an octant, each octant in turn.
 TEST(KnownImages, OneCubeInEachPlace) {
   std::vector<Brick> bricks;

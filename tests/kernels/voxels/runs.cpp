@@ -51,8 +51,10 @@ Rendered render(const Kernel& kernel, int width, Mode mode, Projection projectio
   return rendered;
 }
 
-std::vector<Brick> bricks_of(const World& world, std::size_t step) {
-  const VoxelSource source(std::shared_ptr<const World>(&world, [](const World*) {}));
+std::vector<Brick> bricks_of(const World& world, std::size_t step, int levels) {
+  WorldOptions options;
+  options.levels = levels;
+  const VoxelSource source(std::shared_ptr<const World>(&world, [](const World*) {}), options);
   std::vector<Brick> bricks;
   std::uint64_t probes = 0;
   for (int segment = 0; segment < source.segment_count(); ++segment)

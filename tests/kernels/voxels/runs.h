@@ -30,7 +30,7 @@ Rendered render(const Kernel& kernel, int width, Mode mode, Projection projectio
                 const std::vector<Brick>& bricks);
 
 /// The bricks of a world, with every `step`-th of their probes.
-std::vector<Brick> bricks_of(const World& world, std::size_t step);
+std::vector<Brick> bricks_of(const World& world, std::size_t step, int levels = 1);
 
 /// Expects the images of the reference, bit for bit, its counters, and its harmonics as near as
 /// sums of floats can be.
