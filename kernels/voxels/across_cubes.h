@@ -19,19 +19,20 @@ class AcrossCubes {
         sink_(sink) {}
 
   void render(const BrickMemory& brick, Memory<float> harmonics) {
-    render_each_octant(vm_, brick, samples_, open_, image_, sums_, sink_, harmonics, *this);
+    render_each_octant(vm_, brick, samples_, open_, rendered_, sums_, sink_, harmonics, *this);
   }
 
-  /// Renders an octant that is open.
-  void render(const OctantLevels& octant, ImageMemory& image) {
+  int octants_at_a_time() const { return 1; }
+
+  /// Renders an octant of the list.
+  void render(const BrickMemory& brick, const OpenOctants& open, int item, int /*count*/,
+              ImageMemory& rendered) {
     Sites sites(vm_);
     words_.fill(0);
     queued_ = 0;
-    const bool full = octant.merge_all(vm_.width(), [&](const RowsOfOctant& rows, int first) {
-      return queue_rows(sites, rows, first);
-    });
+    const bool full = merge_full_vectors(sites, brick, open.probe(item), open.octant(item));
     if (!full && queued_ > 0) merge(sites, queued_);
-    image.words.fill(0, words_.data(), words_.size());
+    rendered.words.fill(0, words_.data(), words_.size());
   }
 
  private:
@@ -46,6 +47,16 @@ class AcrossCubes {
           merging(vm.site(kMerge)) {}
     typename Vm::Site scanning, finding, queueing, merging;
   };
+
+  /// Merges cubes as long as they fill a vector. Returns whether the image is full.
+  bool merge_full_vectors(Sites& sites, const BrickMemory& brick, int probe, int octant) {
+    for (const Level& level : brick.levels) {
+      const RowsOfOctant rows(brick, level, probe, octant);
+      for (int first = 0; first < kOctantRows; first += vm_.width())
+        if (queue_rows(sites, rows, first)) return true;
+    }
+    return false;
+  }
 
   /// Queues the filled cubes of W rows, and merges what fills a vector. Returns whether the image
   /// is full.
@@ -109,7 +120,7 @@ class AcrossCubes {
   Memory<const std::int32_t> images_;
   ImageSink<Vm::kCounted>& sink_;
   OpenOctants open_{vm_.checks()};
-  ImageMemory image_{vm_.checks()};
+  ImageMemory rendered_{vm_.checks()};
   ScalarSums sums_{vm_.checks()};
   Buffer<std::int32_t> queue_{2 * static_cast<std::size_t>(vm_.width()), "filled cubes",
                               vm_.checks()};

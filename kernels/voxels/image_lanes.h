@@ -32,32 +32,74 @@ struct RowsOfOctant {
   std::int32_t row, bit;
 };
 
-/// The rows of one octant, the nearest level first.
-class OctantLevels {
+/// The filled cubes of one octant, the nearest rows first, one after the other: rows are looked at
+/// W at a time, and the scalar unit walks the cubes of each.
+template <class Vm>
+class CubeWalk {
  public:
-  OctantLevels(const BrickMemory& brick, int probe, int octant)
-      : brick_(brick), probe_(probe), octant_(octant) {}
+  /// Where a walk issues its instructions.
+  struct Sites {
+    explicit Sites(Vm& vm) : scanning(vm.site(kScan)), taking(vm.site(kScan)) {}
+    typename Vm::Site scanning, taking;
+  };
 
-  /// Calls `merge(rows, first)` for each W rows, until it returns that the image is full. Returns
-  /// whether it is.
-  template <class Merge>
-  LANESCOPE_INLINE bool merge_all(int width, const Merge& merge) const {
-    for (const Level& level : brick_.levels) {
-      const RowsOfOctant rows(brick_, level, probe_, octant_);
-      for (int first = 0; first < kOctantRows; first += width)
-        if (merge(rows, first)) return true;
-    }
-    return false;
+  CubeWalk() = default;
+  CubeWalk(const BrickMemory& brick, int probe, int octant)
+      : brick_(&brick), probe_(probe), octant_(octant) {}
+
+  /// The number of the next filled cube, or -1 if there is none.
+  LANESCOPE_INLINE int next(Vm& vm, Sites& sites) {
+    while (row_ == 0)
+      if (rows_left_ != 0)
+        take_row(sites);
+      else if (!scan_rows(vm, sites))
+        return -1;
+    const int i = std::countr_zero(row_);
+    row_ &= row_ - 1;
+    return kReach * (first_ + lane_) + i;
   }
 
  private:
-  const BrickMemory& brick_;
-  int probe_, octant_;
+  void take_row(Sites& sites) {
+    lane_ = std::countr_zero(rows_left_);
+    auto on = sites.taking.on(Vm::Lanes::from_bits(rows_left_ & -rows_left_));
+    row_ = static_cast<std::uint32_t>(isa::hor(on, cubes_));
+    rows_left_ &= rows_left_ - 1;
+  }
+
+  /// Looks at the next W rows. Returns whether there are any.
+  bool scan_rows(Vm& vm, Sites& sites) {
+    first_ += vm.width();
+    if (first_ >= kOctantRows) {
+      ++level_;
+      first_ = 0;
+    }
+    if (level_ == brick_->levels.size()) return false;
+    auto on = sites.scanning.on(vm.first_n(kOctantRows - first_));
+    cubes_ = RowsOfOctant(*brick_, brick_->levels[level_], probe_, octant_)
+                 .template cubes<Vm>(on, first_);
+    rows_left_ = isa::cmp_ne(on, cubes_, 0).bits();
+    return true;
+  }
+
+  const BrickMemory* brick_ = nullptr;
+  int probe_ = 0, octant_ = 0;
+  std::size_t level_ = std::size_t(-1);  ///< Before the first.
+  int first_ = kOctantRows;              ///< The first of the rows looked at.
+  typename Vm::Int cubes_{};             ///< Of these rows.
+  std::uint64_t rows_left_ = 0;          ///< Those with cubes, of which none was taken.
+  int lane_ = 0;                         ///< The row whose cubes are walked,
+  std::uint32_t row_ = 0;                ///< and those that are left of it.
 };
 
-/// An image in memory, with as many words as are read at a time beyond its end.
+/// Images in memory, one after the other; with as many words as are read at a time beyond them.
 struct ImageMemory {
-  explicit ImageMemory(bool checked) : words(kMostWords + 64, "image", checked) {}
+  explicit ImageMemory(bool checked) : words(kMostWords + 2 * 64, "images", checked) {}
+  /// From the image of the n-th octant on.
+  Memory<std::int32_t> image(int n, const SkySamples& samples) {
+    const auto first = static_cast<std::size_t>(n * samples.words);
+    return words.memory().part(first, words.memory().size - first);
+  }
   Buffer<std::int32_t> words;
 };
 
@@ -65,7 +107,7 @@ using ScalarHarmonics = std::array<std::int32_t, kHarmonics>;
 
 /// *Project* of one image, a lane a sample: those that see the sky add what they are worth.
 template <class Vm>
-ScalarHarmonics selected_worths(Vm& vm, const SkySamples& samples, ImageMemory& image) {
+ScalarHarmonics selected_worths(Vm& vm, const SkySamples& samples, Memory<std::int32_t> image) {
   using namespace isa;
   auto testing = vm.site(kProject);
   auto adding = vm.site(kProject);
@@ -75,7 +117,7 @@ ScalarHarmonics selected_worths(Vm& vm, const SkySamples& samples, ImageMemory& 
     {
       auto on = testing.on(vm.first_n(samples.count() - first));
       const auto sample = add(on, lane_index(on), first);
-      const auto word = gather(on, image.words.memory(), shr(on, sample, 5));
+      const auto word = gather(on, image, shr(on, sample, 5));
       sky = cmp_eq(on, bit_and(on, shr(on, word, bit_and(on, sample, kWordBits - 1)), 1), 0);
     }
     auto on = adding.on(sky);
@@ -89,7 +131,7 @@ ScalarHarmonics selected_worths(Vm& vm, const SkySamples& samples, ImageMemory& 
 
 /// *Project* by counting, a lane a word.
 template <class Vm>
-ScalarHarmonics counted_samples(Vm& vm, const SkySamples& samples, ImageMemory& image) {
+ScalarHarmonics counted_samples(Vm& vm, const SkySamples& samples, Memory<std::int32_t> image) {
   using namespace isa;
   auto counting = vm.site(kProject);
   auto adding = vm.site(kProject);
@@ -100,7 +142,7 @@ ScalarHarmonics counted_samples(Vm& vm, const SkySamples& samples, ImageMemory& 
     typename Vm::Int occluded;
     {
       auto on = counting.on(vm.first_n(lanes));
-      occluded = popcount(on, load(on, image.words.memory(), first));
+      occluded = popcount(on, load(on, image, first));
     }
     for (int h = first / kCountedWords; h * kCountedWords < first + lanes; ++h) {
       const int begin = std::max(0, h * kCountedWords - first);
@@ -137,24 +179,30 @@ class ScalarSums {
   std::vector<ScalarHarmonics> all_;
 };
 
-/// A program that renders one octant at a time. Renderer has
-///   void render(const OctantLevels&, ImageMemory&);
+/// A program that renders some octants at a time. Renderer has
+///   int octants_at_a_time() const;
+///   void render(const BrickMemory&, const OpenOctants&, int first, int count, ImageMemory&);
 template <class Vm, class Renderer>
 void render_each_octant(Vm& vm, const BrickMemory& brick, const SkySamples& samples,
-                        OpenOctants& open, ImageMemory& image, ScalarSums& sums,
+                        OpenOctants& open, ImageMemory& images, ScalarSums& sums,
                         ImageSink<Vm::kCounted>& sink, Memory<float> harmonics,
                         Renderer& renderer) {
   list_open_octants(vm, brick, open, sink.counts);
   sums.clear(brick.size());
-  for (int i = 0; i < open.size; ++i) {
-    const int probe = open.probe(i), octant = open.octant(i);
+  const int most = renderer.octants_at_a_time();
+  for (int first = 0; first < open.size; first += most) {
+    const int count = std::min(most, open.size - first);
     vm.begin_batch();
-    renderer.render(OctantLevels(brick, probe, octant), image);
-    sink.take(brick.brick->first_probe + static_cast<std::uint64_t>(probe), octant,
-              image.words.data(), samples.words, 1);
-    sums.add(probe, octant,
-             samples.by_counting ? counted_samples(vm, samples, image)
-                                 : selected_worths(vm, samples, image));
+    renderer.render(brick, open, first, count, images);
+    for (int i = 0; i < count; ++i) {
+      const int probe = open.probe(first + i), octant = open.octant(first + i);
+      const Memory<std::int32_t> image = images.image(i, samples);
+      sink.take(brick.brick->first_probe + static_cast<std::uint64_t>(probe), octant, image.data,
+                samples.words, 1);
+      sums.add(probe, octant,
+               samples.by_counting ? counted_samples(vm, samples, image)
+                                   : selected_worths(vm, samples, image));
+    }
   }
   sums.store();
   finish_probes(vm, samples, sums.memory(), brick.size(), harmonics);

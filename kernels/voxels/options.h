@@ -10,7 +10,22 @@ namespace lanescope {
 struct ProbeOptions {
   /// Lanes merge when at least this share of those at work has a filled cube.
   float merge_threshold = 0.625f;
+  /// Octants share a vector if at least so many of their images fit.
+  int least_side_by_side = 4;
 };
+
+/// Of across_image.
+inline const Parameters<ProbeOptions>& packing_parameters() {
+  using P = ProbeOptions;
+  static const Parameters<P> all{
+      {&P::least_side_by_side,
+       {"least_side_by_side", "--side-by-side", "octants",
+        "Octants share a vector if at least N of their images fit"},
+       2,
+       8},
+  };
+  return all;
+}
 
 /// Of repacked_cameras.
 inline const Parameters<ProbeOptions>& merge_parameters() {
@@ -42,7 +57,9 @@ inline const Parameters<ErrorOptions>& error_parameters() {
 
 /// The options of a kernel, whichever of the parameters it takes.
 inline ProbeOptions probe_options(const Arguments& arguments) {
-  return decoded(merge_parameters(), arguments);
+  ProbeOptions options = decoded(merge_parameters(), arguments);
+  options.least_side_by_side = decoded(packing_parameters(), arguments).least_side_by_side;
+  return options;
 }
 
 /// The projection that the arguments of the workload ask for.

@@ -3,6 +3,7 @@
 
 #include "kernels/kernel.h"
 #include "kernels/voxels/counters.h"
+#include "kernels/voxels/options.h"
 #include "kernels/voxels/starters.h"
 #include "kernels/widths.h"
 #include "workloads/voxels/workload.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far off the light is that probes give: by their samples, and by harmonics that end at the
-// first order.
+// How far off the light is that probes give: by their samples, by harmonics that end at the first
+// order, and by what lies beyond their reach.
 #include <cmath>
 #include <numbers>
 
@@ -32,6 +32,9 @@ enum ErrorCounter : std::size_t {
   kSquaredOrder,
   kSquaredTotal,
   kSquaredHarmonics,
+  kSquaredReach,
+  kLeaked,
+  kLost,
   kErrorCounterCount,
 };
 
@@ -50,9 +53,17 @@ constexpr std::array<CounterInfo, kErrorCounterCount> kErrorCounters{{
     {"squared_harmonics_error",
      "squares of distances of harmonics of the samples from those of 4096 rays",
      "1e-9 harmonics of an open sky squared"},
+    {"squared_reach_error",
+     "squares of errors of light of 4096 rays that end where probes do, against rays through the "
+     "whole world",
+     "1e-9 open skies squared"},
+    {"light_leaked", "light of rays that end where probes do, above that of the whole world",
+     "1e-9 open skies"},
+    {"light_lost", "light of rays that end where probes do, below that of the whole world",
+     "1e-9 open skies"},
 }};
 
-constexpr std::array<MetricInfo, 4> kErrorMetrics{{
+constexpr std::array<MetricInfo, 7> kErrorMetrics{{
     {"mean_square_sampling_error", "of the light, by the samples", "squared_sampling_error",
      "lights"},
     {"mean_square_order_error", "of the light, by ending at the first order", "squared_order_error",
@@ -60,6 +71,11 @@ constexpr std::array<MetricInfo, 4> kErrorMetrics{{
     {"mean_square_total_error", "of the light, by both", "squared_total_error", "lights"},
     {"mean_square_harmonics_error", "of the harmonics, by the samples", "squared_harmonics_error",
      "probes"},
+    {"mean_square_reach_error", "of the light, by what lies beyond the reach",
+     "squared_reach_error", "lights"},
+    {"mean_light_leaked", "light that bodies beyond the reach would hide", "light_leaked",
+     "lights"},
+    {"mean_light_lost", "light that megacubes hide and the world does not", "light_lost", "lights"},
 }};
 
 /// What 4096 rays see: the light of each surface, and harmonics.
@@ -68,12 +84,14 @@ struct Seen {
   SkyHarmonics harmonics{};
 };
 
-Seen by_even_rays(const Brick& brick, const Probe& probe) {
+/// `is_hidden(octant, direction)` ends a ray.
+template <class IsHidden>
+Seen by_even_rays(const IsHidden& is_hidden) {
   constexpr double kShare = 4 * std::numbers::pi / (kOctants * kEvenDirections);
   Seen seen;
   for (int octant = 0; octant < kOctants; ++octant)
     for (const SampleDirection& direction : even_directions()) {
-      if (is_occluded(brick, probe, octant, direction)) continue;
+      if (is_hidden(octant, direction)) continue;
       double squared = 0;
       for (const std::int32_t component : direction) squared += double(component) * component;
       seen.harmonics[0] += kShare * kConstant;
@@ -130,8 +148,12 @@ class SkyError final : public Execution {
 
  private:
   void measure(const Brick& brick, std::size_t i) {
-    const Seen exact = by_even_rays(brick, brick.probes[i]);
-    const SkyHarmonics sampled = sky_seen(brick, brick.probes[i], samples_, {});
+    const Probe& probe = brick.probes[i];
+    const Seen exact = by_even_rays([&](int octant, const SampleDirection& direction) {
+      return is_occluded(brick, probe, octant, direction);
+    });
+    measure_reach(brick, probe, exact);
+    const SkyHarmonics sampled = sky_seen(brick, probe, samples_, {});
     const auto light = light_of(sampled), light_of_exact = light_of(exact.harmonics);
     ++counts_[kErrorProbes];
     counts_[kLights] += kNormals;
@@ -143,6 +165,19 @@ class SkyError final : public Execution {
     for (std::size_t h = 0; h < kHarmonics; ++h)
       harmonics[h] = static_cast<float>(exact.harmonics[h]);
     field_.write(brick.first_probe + i, harmonics);
+  }
+
+  void measure_reach(const Brick& brick, const Probe& probe, const Seen& seen) {
+    const Cell corner{brick.origin.x + probe.x, brick.origin.y + probe.y, brick.origin.z + probe.z};
+    const Seen whole = by_even_rays([&](int octant, const SampleDirection& direction) {
+      return is_occluded_by(field_.world(), corner, octant, direction);
+    });
+    counts_[kSquaredReach] += squared_distance(seen.light, whole.light, kOpenLight);
+    for (std::size_t normal = 0; normal < kNormals; ++normal) {
+      const double more = (seen.light[normal] - whole.light[normal]) / kOpenLight;
+      counts_[more > 0 ? kLeaked : kLost] +=
+          static_cast<std::uint64_t>(std::llround(std::abs(more) / kUnit));
+    }
   }
 
   ProbeField& field_;

@@ -33,10 +33,10 @@ Cell megacube_at(const Probe& probe, int octant, const std::array<int, 3>& away)
 
 int farthest(const std::array<int, 3>& away) { return *std::max_element(away.begin(), away.end()); }
 
-/// Walks the places that a ray from the origin runs through, in order. Returns whether one within
-/// kReach is filled.
+/// Walks the places that a ray from the origin runs through, in order. Returns whether one is
+/// filled that is less than `reach` away along each axis.
 template <class IsFilled>
-bool meets_filled(const SampleDirection& direction, const IsFilled& is_filled) {
+bool meets_filled(const SampleDirection& direction, int reach, const IsFilled& is_filled) {
   std::array<int, 3> away{};
   while (true) {
     if (is_filled(away)) return true;
@@ -49,7 +49,7 @@ bool meets_filled(const SampleDirection& direction, const IsFilled& is_filled) {
     const int wall = away[nearest] + 1, along = direction[nearest];
     for (std::size_t axis = 0; axis < 3; ++axis)
       if ((away[axis] + 1) * along == wall * direction[axis]) ++away[axis];
-    if (farthest(away) == kReach) return false;
+    if (farthest(away) == reach) return false;
   }
 }
 
@@ -126,13 +126,24 @@ std::unique_ptr<Execution> start(const Launch& launch) {
 
 bool is_occluded(const Brick& brick, const Probe& probe, int octant,
                  const SampleDirection& direction) {
-  if (meets_filled(direction,
+  if (meets_filled(direction, kReach,
                    [&](const auto& away) { return brick.filled(cube_at(probe, octant, away)); }))
     return true;
-  return brick.has_megacubes() && meets_filled(direction, [&](const auto& away) {
+  return brick.has_megacubes() && meets_filled(direction, kReach, [&](const auto& away) {
            return farthest(away) >= kMegaSkipped &&
                   brick.mega_filled(megacube_at(probe, octant, away));
          });
+}
+
+bool is_occluded_by(const World& world, Cell corner, int octant, const SampleDirection& direction) {
+  const auto place = [&](int at, std::size_t axis, int away) {
+    return octant >> axis & 1 ? at - 1 - away : at + away;
+  };
+  const Cell size = world.size();
+  return meets_filled(direction, std::max({size.x, size.y, size.z}), [&](const auto& away) {
+    return world.filled(
+        {place(corner.x, 0, away[0]), place(corner.y, 1, away[1]), place(corner.z, 2, away[2])});
+  });
 }
 
 std::array<double, kHarmonics> sky_seen(const Brick& brick, const Probe& probe,

@@ -28,7 +28,7 @@ struct WorldOptions {
   std::optional<std::uint64_t> seed;  ///< Of a built-in scene.
   int piece_probes = 256;
   int levels = 1;
-  std::optional<float> mega_fill = 0.5f;  ///< With two levels.
+  std::optional<float> mega_fill = 0.25f;  ///< With two levels.
 };
 
 inline const Parameters<WorldOptions>& world_parameters() {

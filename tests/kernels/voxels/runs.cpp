@@ -42,6 +42,8 @@ Rendered render(const Kernel& kernel, int width, Mode mode, Projection projectio
   ProbeField field(std::make_shared<const World>(Cell{1, 1, 1}), probe_count(bricks));
   CountingObserver observer(width, kernel.stages.size());
   Arguments arguments = encoded(merge_parameters(), ProbeOptions{});
+  // Also where few images fit, so that all widths are tried.
+  arguments.set("least_side_by_side", std::uint64_t{2});
   arguments.set("projection", std::string(name_of(kProjections, projection)));
   const auto execution =
       kernel.start({width, mode, arguments, field, mode == Mode::kTracing ? &observer : nullptr});
