@@ -50,8 +50,11 @@ std::string made_small(const std::string& arguments) {
   const std::size_t end = arguments.find(' ', is_study ? std::string("study ").size() : 0);
   const std::string help = lanescope_program(arguments.substr(0, end) + " --help").output;
   if (arguments.find("--from") != arguments.npos) return arguments;
+  static const std::regex kWorldSize(" --world-size [0-9]+");
+  if (arguments.find("--world-size") != arguments.npos)
+    return std::regex_replace(arguments, kWorldSize, " --world-size 16");
   if (is_study && help.find("--world-size") != help.npos)
-    return arguments + " --world-size 16 --width 8,24";
+    return arguments + " --world-size 16 --width 8,24 --scene stones,scattered5";
   if (help.find("--resolution") == help.npos) return arguments;
   return std::regex_replace(arguments, kResolution, "") + " --resolution 96x60";
 }

@@ -2,16 +2,13 @@
 #include "workloads/geometry/mesh.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "simulator/base/error.h"
 #include "workloads/geometry/obj_reader.h"
 #include "workloads/geometry/triangulation.h"
+#include "workloads/geometry/whole_file.h"
 
 namespace lanescope {
 namespace {
@@ -112,26 +109,6 @@ Vec3 unit_or(Vec3 v, Vec3 otherwise) {
   return size > 1e-20f && std::isfinite(size) ? v * (1.0f / size) : otherwise;
 }
 
-std::string read_file(const std::string& path, const MeshProgress& progress) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw InputError(path, "is a folder; use a Wavefront OBJ file");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path, "cannot be opened: {}", std::strerror(errno));
-  constexpr std::size_t kBlock = 1 << 20;
-  std::string text;
-  while (file) {
-    const std::size_t size = text.size();
-    text.resize(size + kBlock);
-    file.read(text.data() + size, kBlock);
-    text.resize(size + static_cast<std::size_t>(file.gcount()));
-    if (progress) progress(0.0);  // It goes on; how large the file is may not be known.
-  }
-  if (file.bad()) throw InputError(path, "cannot be read: {}", std::strerror(errno));
-  return text;
-}
-
 }  // namespace
 
 TriangleMesh triangle_mesh(PolygonMesh polygons, std::string_view path) {
@@ -161,7 +138,12 @@ TriangleMesh parse_obj(std::string_view text, std::string_view path, const MeshP
 
 TriangleMesh load_mesh(const std::string& path, const MeshProgress& progress) {
   // The text is gone before the triangles are made.
-  PolygonMesh polygons = read_obj(read_file(path, progress), path, progress);
+  // Reading goes on; how large the file is may not be known.
+  const auto goes_on = [&] {
+    if (progress) progress(0.0);
+  };
+  PolygonMesh polygons =
+      read_obj(whole_file(path, "a Wavefront OBJ file", goes_on), path, progress);
   return triangle_mesh(std::move(polygons), path);
 }
 

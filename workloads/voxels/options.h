@@ -22,13 +22,16 @@ enum class Projection {
 inline constexpr std::array<Choice<Projection>, 2> kProjections{
     {{"faces", Projection::kFaces}, {"directions", Projection::kDirections}}};
 
+/// The share of its cubes that makes a megacube opaque, if none is given.
+inline constexpr float kMegaFill = 0.25f;
+
 struct WorldOptions {
   Projection projection = Projection::kFaces;
   std::optional<int> size_cubes;      ///< Of a built-in scene.
   std::optional<std::uint64_t> seed;  ///< Of a built-in scene.
   int piece_probes = 256;
   int levels = 1;
-  std::optional<float> mega_fill = 0.25f;  ///< With two levels.
+  std::optional<float> mega_fill;  ///< With two levels.
 };
 
 inline const Parameters<WorldOptions>& world_parameters() {

@@ -3,12 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <string>
@@ -18,6 +14,7 @@
 #include "simulator/base/error.h"
 #include "workloads/geometry/file_signature.h"
 #include "workloads/geometry/obj_words.h"
+#include "workloads/geometry/whole_file.h"
 #include "workloads/voxels/vox_chunks.h"
 
 namespace lanescope {
@@ -417,25 +414,6 @@ class Reader {
   place.fail("'{}'; a MagicaVoxel file begins with 'VOX '", shown(bytes.substr(0, 4)));
 }
 
-std::string read_file(const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw InputError(path, "is a folder; use a MagicaVoxel file");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path, "cannot be opened: {}", std::strerror(errno));
-  constexpr std::size_t kBlock = 1 << 20;
-  std::string bytes;
-  while (file) {
-    const std::size_t size = bytes.size();
-    bytes.resize(size + kBlock);
-    file.read(bytes.data() + size, kBlock);
-    bytes.resize(size + static_cast<std::size_t>(file.gcount()));
-  }
-  if (file.bad()) throw InputError(path, "cannot be read: {}", std::strerror(errno));
-  return bytes;
-}
-
 }  // namespace
 
 World parse_vox(const std::string& name, std::string_view bytes) {
@@ -443,6 +421,8 @@ World parse_vox(const std::string& name, std::string_view bytes) {
   return Reader(name, bytes).read();
 }
 
-World read_vox(const std::string& file) { return parse_vox(file, read_file(file)); }
+World read_vox(const std::string& file) {
+  return parse_vox(file, whole_file(file, "a MagicaVoxel file"));
+}
 
 }  // namespace lanescope

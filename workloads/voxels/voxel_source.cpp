@@ -24,7 +24,7 @@ void for_bricks(int first, int last, const Visit& visit) {
 
 VoxelSource::VoxelSource(std::shared_ptr<const World> world, const WorldOptions& options)
     : world_(std::move(world)), piece_probes_(static_cast<std::size_t>(options.piece_probes)) {
-  if (options.levels == 2) megacubes_.emplace(*world_, options.mega_fill.value_or(0.0f));
+  if (options.levels == 2) megacubes_.emplace(*world_, options.mega_fill.value_or(kMegaFill));
   const Cell size = world_->size();
   const int margin = world_->margin;
   for_bricks(margin, size.z - margin, [&](int z) {

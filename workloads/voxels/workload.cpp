@@ -13,21 +13,24 @@ constexpr std::uint64_t kDefaultSize = 48;
 constexpr std::uint64_t kDefaultSeed = 1;
 
 /// Without megacubes no share decides on them.
-void forget_megacubes(Arguments& arguments) {
-  if (decoded(world_parameters(), arguments).levels == 1) arguments.set("mega_fill", {});
+void resolve_megacubes(Arguments& arguments) {
+  const auto options = decoded(world_parameters(), arguments);
+  if (options.levels == 1)
+    arguments.set("mega_fill", {});
+  else if (!options.mega_fill)
+    arguments.set("mega_fill", kMegaFill);
 }
 
 /// A file has neither size nor seed to choose.
 void resolve(const std::string& scene, Arguments& arguments) {
+  resolve_megacubes(arguments);
   if (w_voxels.is_file(scene)) {
     arguments.set("world_size", {});
     arguments.set("world_seed", {});
-    forget_megacubes(arguments);
     return;
   }
   find_voxel_scene(scene);
   const auto options = decoded(world_parameters(), arguments);
-  forget_megacubes(arguments);
   if (!options.size_cubes) arguments.set("world_size", kDefaultSize);
   if (!options.seed) arguments.set("world_seed", kDefaultSeed);
 }

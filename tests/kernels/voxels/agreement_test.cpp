@@ -27,7 +27,7 @@ TEST_P(VoxelAgreement, WithTheReference) {
 /// With megacubes beyond the cubes.
 TEST_P(VoxelAgreement, OfTwoLevels) {
   const auto [scene, projection] = GetParam();
-  const auto bricks = test::bricks_of(scene->build(70, 4), 461, 2);
+  const auto bricks = test::bricks_of(scene->build(40, 4), 307, 2);
   test::expect_agreement(bricks, projection, {Mode::kCounting, Mode::kUncounted}, {1, 5, 24, 64});
   const std::vector<Brick> few(bricks.begin(), bricks.begin() + 1);
   test::expect_agreement(few, projection, {Mode::kChecked, Mode::kTracing}, {7, 64});

@@ -213,7 +213,7 @@ TEST(Megacubes, AreInTheRowsOfABrick) {
   const auto world = std::make_shared<const World>(random_world({70, 40, 55}, 4, 52));
   WorldOptions options;
   options.levels = 2;
-  const Megacubes megacubes(*world, *options.mega_fill);
+  const Megacubes megacubes(*world, kMegaFill);
   const VoxelSource source(world, options);
   source.produce(source.segment_count() / 2, [&](const Work& work) {
     const auto& brick = static_cast<const Brick&>(work);
