@@ -28,7 +28,9 @@ Brick scattered_brick(std::uint64_t percent) {
       for (int x = 0; x < kSize; ++x)
         if (mix64(static_cast<std::uint64_t>(x + kSize * (y + kSize * z))) % 100 < percent)
           world.fill({x, y, z}, 1);
-  const VoxelSource source(std::make_shared<const World>(std::move(world)));
+  WorldOptions options;
+  options.piece_probes = kMostProbes;
+  const VoxelSource source(std::make_shared<const World>(std::move(world)), options);
   Brick brick;
   source.produce(0, [&](const Work& work) { brick = static_cast<const Brick&>(work); });
   return brick;
