@@ -36,6 +36,14 @@ struct MetricInfo {
   std::string_view denominator;  ///< Name of a counter.
 };
 
+/// What holds of a kernel's counters, by name: the parts add up to a multiple of the whole. Readers
+/// of reports check it.
+struct CounterSum {
+  std::string_view whole;
+  std::span<const std::string_view> parts;
+  std::uint64_t times = 1;
+};
+
 /// A list of figures that a kernel counts: a histogram, or a course over time. Lists merge by
 /// adding element by element.
 struct SeriesInfo {
@@ -89,6 +97,8 @@ struct View {
   std::string_view name;
   std::string_view summary;
   OpenOutput open;
+  /// Memory that its output takes.
+  std::uint64_t (*output_bytes)(const Arguments& arguments);
   StartExecution start;
 };
 
@@ -103,6 +113,7 @@ struct Kernel {
   std::vector<Parameter> parameters{};         ///< Of the kernel alone.
   std::span<const std::string_view> stages{};  ///< Empty if it issues no instructions.
   std::span<const CounterInfo> counters{};
+  std::span<const CounterSum> sums{};
   std::span<const MetricInfo> metrics{};
   std::span<const SeriesInfo> series{};
   std::span<const CounterInfo> output_counters{};

@@ -15,8 +15,12 @@ constexpr std::uint64_t kMuch = 1'000'000'000;
 }  // namespace
 
 void tell_memory(const std::vector<Configuration>& configurations, const GroupLimits& limits) {
-  const std::uint64_t bytes = output_bytes(configurations, limits);
-  if (bytes >= kMuch) tell(fmt::format("outputs (frames) take {} of memory", memory_text(bytes)));
+  tell_memory(output_bytes(configurations, limits));
+}
+
+void tell_memory(std::uint64_t output_bytes) {
+  if (output_bytes >= kMuch)
+    tell(fmt::format("outputs (frames) take {} of memory", memory_text(output_bytes)));
 }
 
 }  // namespace lanescope

@@ -101,7 +101,10 @@ void render(const CommandOptions& command, const Given& given) {
   ExperimentOptions options;
   options.threads = parse_threads(given.threads);
   Destination picture(given.output);
-  if (!shown.view) tell_memory({configuration});
+  if (shown.view)
+    tell_memory(shown.view->output_bytes(configuration.arguments));
+  else
+    tell_memory({configuration});
   Narration progress(command.name());
   options.opening = progress.listener();
   options.progress = [&](double fraction) { progress.update(fraction); };

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "analysis/base/memory.h"
 #include "analysis/base/parallel.h"
 
 namespace lanescope {
@@ -10,6 +11,7 @@ namespace lanescope {
 std::unique_ptr<Output> draw(const Configuration& configuration, const View& view, int threads,
                              const std::function<void(double)>& progress,
                              const OpeningListener& opening) {
+  require_memory(view.output_bytes(configuration.arguments));
   const std::unique_ptr<Source> source = open_source(configuration, opening);
   std::unique_ptr<Output> output = view.open(configuration.arguments, *source);
   std::vector<std::unique_ptr<Execution>> executions;

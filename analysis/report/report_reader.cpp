@@ -77,6 +77,29 @@ std::string read_workload(const JsonCursor& cursor, const Configuration& configu
   return cursor.string();
 }
 
+/// Checks the sums that the run's kernel declares, where it counts all of their counters.
+void check_sums(const JsonCursor& counters, const RunRecord& run) {
+  const Kernel* const kernel = known_kernel(run.configuration.kernel);
+  if (!kernel) return;
+  for (const CounterSum& sum : kernel->sums) {
+    const auto whole = run.counter(sum.whole);
+    std::uint64_t parts = 0;
+    bool is_known = whole.has_value();
+    for (const std::string_view part : sum.parts) {
+      const auto value = run.counter(part);
+      is_known = is_known && value;
+      parts += value.value_or(0);
+    }
+    if (!is_known || sum.times * *whole == parts) continue;
+    const std::vector<std::string> names(sum.parts.begin(), sum.parts.end());
+    for (const JsonCursor& counter : counters.items())
+      if (counter.member("name").string() == sum.whole)
+        counter.member("value").fail(
+            fmt::format("{}, which {} add up to{}", parts / sum.times, list_and(names),
+                        sum.times == 1 ? "" : fmt::format(" (over {})", sum.times)));
+  }
+}
+
 RunRecord read_run(const JsonCursor& cursor, const Charges& charges) {
   cursor.require_members({"parameters", "workload", "source", "element", "stages", "counters",
                           "metrics", "series", "source_lines", "results_hash", "output"});
@@ -85,6 +108,7 @@ RunRecord read_run(const JsonCursor& cursor, const Charges& charges) {
   run.workload = read_workload(cursor.member("workload"), run.configuration);
   run.source = read_source(cursor.member("source"));
   run.counters = read_named(cursor.member("counters"), "name", read_counter);
+  check_sums(cursor.member("counters"), run);
   run.element = read_element(cursor.member("element"), run);
   run.stages = read_stages(cursor.member("stages"), run.configuration.width, charges);
   run.metrics = read_named(cursor.member("metrics"), "name",

@@ -52,6 +52,10 @@ inline constexpr std::array<CounterInfo, kRasterizerCounterCount> kRasterizerCou
      Merge::kMaximum},
 }};
 
+inline constexpr std::string_view kPartsOfSeen[] = {
+    "micropolygons_culled", "micropolygons_degenerate", "micropolygons_rasterized"};
+inline constexpr CounterSum kRasterizerSums[] = {{"micropolygons_seen", kPartsOfSeen}};
+
 /// What the instructions of a rasterizer are divided by.
 inline constexpr Element kMicropolygon{"micropolygons_rasterized", "micropolygon", "mp"};
 

@@ -79,11 +79,14 @@ std::unique_ptr<Output> open_frame(const Arguments& arguments, const Source& sou
   return std::make_unique<Frame>(sample_grid(arguments), background_of(source));
 }
 
-std::uint64_t frame_bytes(const Arguments& arguments) {
+std::uint64_t frame_samples(const Arguments& arguments) {
   const auto frame = decoded(tessellation_parameters(), arguments);
-  return std::uint64_t{sizeof(std::uint64_t)} * static_cast<std::uint64_t>(frame.width_px) *
-         static_cast<std::uint64_t>(frame.height_px) *
+  return static_cast<std::uint64_t>(frame.width_px) * static_cast<std::uint64_t>(frame.height_px) *
          static_cast<std::uint64_t>(frame.samples_per_pixel);
+}
+
+std::uint64_t frame_bytes(const Arguments& arguments) {
+  return frame_samples(arguments) * sizeof(std::uint64_t);
 }
 
 }  // namespace lanescope

@@ -73,6 +73,8 @@ inline constexpr std::array<CounterInfo, 1> kFrameCounters{
 
 /// Opens a frame: Kernel::open of the rasterizers. The source is a SceneSource.
 std::unique_ptr<Output> open_frame(const Arguments& arguments, const Source& source);
+/// Samples of the frame that is asked for.
+std::uint64_t frame_samples(const Arguments& arguments);
 /// Kernel::output_bytes of the rasterizers.
 std::uint64_t frame_bytes(const Arguments& arguments);
 

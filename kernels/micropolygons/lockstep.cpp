@@ -19,6 +19,7 @@ const Kernel k_lockstep{
     .parameters = joined(raster_parameters(), sampling_parameters()),
     .stages = kLockstepStages,
     .counters = std::span(kRasterizerCounters).first<kConflictHits + 1>(),
+    .sums = kRasterizerSums,
     .metrics = std::span(kRasterizerMetrics).first<3>(),
     .output_counters = kFrameCounters,
     .element = kMicropolygon,

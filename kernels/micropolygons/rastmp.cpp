@@ -218,6 +218,7 @@ const Kernel k_rastmp{
     .is_oracle = true,
     .parameters = joined(raster_parameters(), sampling_parameters()),
     .counters = std::span(kRasterizerCounters).first<kHits + 1>(),
+    .sums = kRasterizerSums,
     .metrics = std::span(kRasterizerMetrics).first<1>(),
     .output_counters = kFrameCounters,
     .element = kMicropolygon,

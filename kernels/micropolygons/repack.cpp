@@ -19,6 +19,7 @@ const Kernel k_repack{
     .parameters = joined(raster_parameters(), repack_parameters(), sampling_parameters()),
     .stages = kRepackStages,
     .counters = kRasterizerCounters,
+    .sums = kRasterizerSums,
     .metrics = kRasterizerMetrics,
     .series = kWorkingSetSeries,
     .output_counters = kFrameCounters,

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <tuple>
 
+#include "kernels/micropolygons/frame.h"
 #include "kernels/micropolygons/options.h"
 #include "simulator/base/random.h"
 
@@ -29,6 +30,14 @@ std::unique_ptr<Output> open_counter(const Arguments& arguments, const Source&) 
 
 std::unique_ptr<Output> open_visible(const Arguments& arguments, const Source&) {
   return std::make_unique<VisibleMicropolygons>(sample_grid(arguments));
+}
+
+std::uint64_t counter_bytes(const Arguments& arguments) {
+  return frame_samples(arguments) * SampleCounter::kSampleBytes;
+}
+
+std::uint64_t visible_bytes(const Arguments& arguments) {
+  return frame_samples(arguments) * VisibleMicropolygons::kSampleBytes;
 }
 
 std::unique_ptr<Execution> start_watched(const Launch& launch) {
@@ -96,11 +105,11 @@ std::vector<std::uint64_t> pixel_sums(const SampleGrid& grid,
 
 const std::array<View, 3> kSampleViews{{
     {"tests", "tests of each pixel, as a heat map", open_counter<SampleCounter::What::kTests>,
-     start_watched},
+     counter_bytes, start_watched},
     {"hits", "hits for each sample of a pixel, as a heat map",
-     open_counter<SampleCounter::What::kHits>, start_watched},
+     open_counter<SampleCounter::What::kHits>, counter_bytes, start_watched},
     {"micropolygons", "the visible micropolygons, a pixel for each sample", open_visible,
-     start_watched},
+     visible_bytes, start_watched},
 }};
 
 }  // namespace lanescope

@@ -29,6 +29,7 @@ class SampleView : public Output, public SampleObserver {
 class SampleCounter final : public SampleView {
  public:
   enum class What { kTests, kHits };
+  static constexpr std::uint64_t kSampleBytes = sizeof(std::uint32_t);
 
   SampleCounter(const SampleGrid& grid, What what)
       : SampleView(grid), what_(what), counts_(static_cast<std::size_t>(grid.sample_count())) {}
@@ -61,6 +62,8 @@ class VisibleMicropolygons final : public SampleView {
  public:
   static constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
+  static const std::uint64_t kSampleBytes;
+
   explicit VisibleMicropolygons(const SampleGrid& grid)
       : SampleView(grid), fragments_(static_cast<std::size_t>(grid.sample_count())) {}
 
@@ -85,6 +88,8 @@ class VisibleMicropolygons final : public SampleView {
   std::vector<Fragment> fragments_;
   std::array<std::mutex, kLocks> locks_;  ///< Each for every kLocks-th sample.
 };
+
+inline constexpr std::uint64_t VisibleMicropolygons::kSampleBytes = sizeof(Fragment);
 
 /// Sums over the samples of each pixel, by rows from the top.
 std::vector<std::uint64_t> pixel_sums(const SampleGrid& grid,

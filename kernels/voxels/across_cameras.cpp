@@ -16,6 +16,7 @@ const Kernel k_across_cameras{
     .workload = &w_voxels,
     .stages = kProbeStages,
     .counters = kProbeCounters,
+    .sums = kProbeSums,
     .metrics = kProbeMetrics,
     .element = kProbeElement,
     .instructions = kProbeInstructions,

@@ -19,6 +19,7 @@ const Kernel k_across_image{
     .parameters = joined(packing_parameters()),
     .stages = kProbeStages,
     .counters = kProbeCounters,
+    .sums = kProbeSums,
     .metrics = kProbeMetrics,
     .element = kProbeElement,
     .instructions = kProbeInstructions,

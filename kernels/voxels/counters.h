@@ -34,6 +34,9 @@ inline constexpr std::array<CounterInfo, kProbeCounterCount> kProbeCounters{{
     {"cubes_merged", "images of cubes that were merged into those of octants", "cubes"},
 }};
 
+inline constexpr std::string_view kPartsOfOctants[] = {"octants_rendered", "octants_blocked"};
+inline constexpr CounterSum kProbeSums[] = {{"probes", kPartsOfOctants, kOctants}};
+
 /// Those that need cubes_merged are last.
 inline constexpr std::array<MetricInfo, 4> kProbeMetrics{{
     {"octants_per_probe", "octants rendered for each probe", "octants_rendered", "probes"},

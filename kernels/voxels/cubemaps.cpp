@@ -126,6 +126,8 @@ std::unique_ptr<Output> open_cubemaps(const Arguments& /*arguments*/, const Sour
   return std::make_unique<Cubemaps>(static_cast<const VoxelSource&>(source).probe_count());
 }
 
+std::uint64_t cubemaps_bytes(const Arguments& /*arguments*/) { return sizeof(Cubemaps); }
+
 std::unique_ptr<Execution> start_cubemaps(const Launch& launch) {
   return std::make_unique<TakeCubemaps>(static_cast<Cubemaps&>(launch.output));
 }

@@ -7,6 +7,7 @@
 namespace lanescope {
 
 std::unique_ptr<Output> open_cubemaps(const Arguments& arguments, const Source& source);
+std::uint64_t cubemaps_bytes(const Arguments& arguments);
 std::unique_ptr<Execution> start_cubemaps(const Launch& launch);
 
 }  // namespace lanescope

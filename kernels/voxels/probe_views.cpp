@@ -37,12 +37,16 @@ std::unique_ptr<Execution> start_probes(const Launch& launch) {
 }  // namespace
 
 const std::array<View, 5> kProbeViews{{
-    {"cubes", "the cubes in their colours, without light", open_world<Shown::kCubes>, start_probes},
+    {"cubes", "the cubes in their colours, without light", open_world<Shown::kCubes>,
+     probe_field_bytes, start_probes},
     {"occlusion", "how much of the sky each point sees", open_world<Shown::kOcclusion>,
+     probe_field_bytes, start_probes},
+    {"ambient", "the light of the sky, by normals", open_world<Shown::kAmbient>, probe_field_bytes,
      start_probes},
-    {"ambient", "the light of the sky, by normals", open_world<Shown::kAmbient>, start_probes},
-    {"lighting", "the light of sky and sun", open_world<Shown::kLighting>, start_probes},
-    {"cubemaps", "one-bit cubemaps of some probes, enlarged", open_cubemaps, start_cubemaps},
+    {"lighting", "the light of sky and sun", open_world<Shown::kLighting>, probe_field_bytes,
+     start_probes},
+    {"cubemaps", "one-bit cubemaps of some probes, enlarged", open_cubemaps, cubemaps_bytes,
+     start_cubemaps},
 }};
 
 }  // namespace lanescope

@@ -18,6 +18,7 @@ const Kernel k_repacked_cameras{
     .parameters = joined(merge_parameters()),
     .stages = kProbeStages,
     .counters = kProbeCounters,
+    .sums = kProbeSums,
     .metrics = kProbeMetrics,
     .element = kProbeElement,
     .most_width = kMostLanes,

@@ -168,6 +168,7 @@ const Kernel k_voxel_rays{
     .workload = &w_voxels,
     .is_oracle = true,
     .counters = std::span(kProbeCounters).first<kCubesMerged>(),
+    .sums = kProbeSums,
     .metrics = std::span(kProbeMetrics).first<3>(),
     .element = kProbeElement,
     .open = open_probe_field,

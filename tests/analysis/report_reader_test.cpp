@@ -185,6 +185,14 @@ const std::vector<BadReport> kBadReports{
     {"MemoryTwice", [](Json& j) { j["runs"][0]["stages"][3]["memory"].push_back(memory_of(j)); },
      "r.json:/runs/0/stages/3/memory/1/mnemonic: \"scatter\" is that of an earlier element, too; "
      "each has its own"},
+    {"CountersThatDoNotAddUp",
+     [](Json& j) {
+       Json& counters = j["runs"][0]["counters"];
+       counters.push_back(counters[1]);
+       counters.back()["name"] = "micropolygons_degenerate";
+     },
+     "r.json:/runs/0/counters/0/value: 40 is not 60, which micropolygons_culled, "
+     "micropolygons_degenerate and micropolygons_rasterized add up to"},
     {"CounterTwice", [](Json& j) { j["runs"][0]["counters"][4]["name"] = "tests"; },
      "r.json:/runs/0/counters/4/name: \"tests\" is that of an earlier element, too; each has its "
      "own"},

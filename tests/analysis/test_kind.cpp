@@ -303,7 +303,8 @@ constexpr std::array<MetricInfo, 1> kMetrics{
     {{"highs_share", "numbers that are higher than all before, of all", "highs", "numbers"}}};
 constexpr std::array<CounterInfo, 1> kOutputCounters{
     {{"pieces_written", "pieces that have a number", "pieces"}}};
-const std::array<View, 1> kSums{{{"sums", "the sum of each piece", open_output, start<Sum>}}};
+const std::array<View, 1> kSums{
+    {{"sums", "the sum of each piece", open_output, output_bytes, start<Sum>}}};
 
 }  // namespace
 

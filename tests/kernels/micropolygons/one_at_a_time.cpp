@@ -19,6 +19,7 @@ const Kernel k_one_at_a_time{
     .parameters = joined(raster_parameters(), sampling_parameters()),
     .stages = kOneAtATimeStages,
     .counters = std::span(kRasterizerCounters).first<kConflictHits + 1>(),
+    .sums = kRasterizerSums,
     .metrics = std::span(kRasterizerMetrics).first<3>(),
     .output_counters = kFrameCounters,
     .element = kMicropolygon,
