@@ -21,10 +21,10 @@ std::vector<std::uint32_t> images_in_order(const CubeImages& cubes) {
   return images;
 }
 
-const std::vector<std::uint32_t>& images_of(Projection projection) {
-  static const auto faces = images_in_order(cube_images(Projection::kFaces));
-  static const auto directions = images_in_order(cube_images(Projection::kDirections));
-  return projection == Projection::kFaces ? faces : directions;
+const std::vector<std::uint32_t>& images_of(SkyProjection projection) {
+  static const auto faces = images_in_order(cube_images(SkyProjection::kFaces));
+  static const auto directions = images_in_order(cube_images(SkyProjection::kDirections));
+  return projection == SkyProjection::kFaces ? faces : directions;
 }
 
 /// Merges an octant into as many registers as its image needs.
@@ -75,7 +75,7 @@ ByteBrick::ByteBrick(const Brick& b) : brick(&b) {
       for (int x = 0; x < kBrickCubes; ++x) cubes.push_back(b.filled({x, y, z}));
 }
 
-std::uint64_t article_loop(const ByteBrick& bytes, Projection projection,
+std::uint64_t article_loop(const ByteBrick& bytes, SkyProjection projection,
                            std::vector<Harmonics>& harmonics) {
   const Brick& brick = *bytes.brick;
   const SkySamples& samples = sky_samples(projection);
@@ -90,7 +90,7 @@ std::uint64_t article_loop(const ByteBrick& bytes, Projection projection,
         return kReach + corner - (octant >> axis & 1);
       };
       if (brick.filled({nearest(probe.x, 0), nearest(probe.y, 1), nearest(probe.z, 2)})) continue;
-      if (projection == Projection::kFaces)
+      if (projection == SkyProjection::kFaces)
         merge_octant<3>(bytes, probe, octant, images_of(projection).data(), image);
       else
         merge_octant<1>(bytes, probe, octant, images_of(projection).data(), image);

@@ -44,7 +44,7 @@ class Cameras {
  public:
   static constexpr int kVectors = W / kHostLanes;
 
-  Cameras(const Brick& brick, Projection projection)
+  Cameras(const Brick& brick, SkyProjection projection)
       : brick_(brick),
         memory_(brick),
         level_(memory_.levels[0]),
@@ -182,13 +182,13 @@ class Cameras {
 }  // namespace
 
 template <int W>
-std::uint64_t cameras_by_hand(const Brick& brick, Projection projection,
+std::uint64_t cameras_by_hand(const Brick& brick, SkyProjection projection,
                               std::vector<Harmonics>& harmonics) {
   return Cameras<W>(brick, projection).render(harmonics);
 }
 
-template std::uint64_t cameras_by_hand<16>(const Brick&, Projection, std::vector<Harmonics>&);
-template std::uint64_t cameras_by_hand<32>(const Brick&, Projection, std::vector<Harmonics>&);
-template std::uint64_t cameras_by_hand<64>(const Brick&, Projection, std::vector<Harmonics>&);
+template std::uint64_t cameras_by_hand<16>(const Brick&, SkyProjection, std::vector<Harmonics>&);
+template std::uint64_t cameras_by_hand<32>(const Brick&, SkyProjection, std::vector<Harmonics>&);
+template std::uint64_t cameras_by_hand<64>(const Brick&, SkyProjection, std::vector<Harmonics>&);
 
 }  // namespace lanescope::benchmarks

@@ -38,11 +38,11 @@ Brick scattered_brick(std::uint64_t percent) {
 
 /// One brick, and how it is rendered in each way.
 struct Bench {
-  Bench(const Brick& b, Projection p)
+  Bench(const Brick& b, SkyProjection p)
       : brick(b),
         projection(p),
         bytes(brick),
-        field(std::make_shared<const World>(Cell{1, 1, 1}), brick.probes.size()),
+        field(std::make_shared<const World>(Cube{1, 1, 1}), brick.probes.size()),
         harmonics(brick.probes.size()) {
     arguments.set("projection", std::string(name_of(kProjections, projection)));
   }
@@ -70,7 +70,7 @@ struct Bench {
   }
 
   const Brick& brick;
-  Projection projection;
+  SkyProjection projection;
   ByteBrick bytes;
   ProbeField field;
   std::vector<Harmonics> harmonics;
@@ -91,7 +91,7 @@ void print_rates(Bench& bench, std::uint64_t percent) {
     if (render() != wanted) throw std::logic_error("images differ");
     fmt::print(" {:>13.0f}", rate(bench, render));
   };
-  show(bench.program("across_image", bench.projection == Projection::kFaces ? 24 : 8));
+  show(bench.program("across_image", bench.projection == SkyProjection::kFaces ? 24 : 8));
   for (const int width : {16, 32, 64}) show(bench.program("across_cameras", width));
   fmt::print("\n");
 }
@@ -111,20 +111,20 @@ void print_ratio(Bench& bench, std::uint64_t percent) {
 int main() {
   using namespace lanescope;
   constexpr std::uint64_t kPercents[] = {1, 5, 20, 50};
-  constexpr Projection kBoth[] = {Projection::kFaces, Projection::kDirections};
+  constexpr SkyProjection kBoth[] = {SkyProjection::kFaces, SkyProjection::kDirections};
   fmt::print(
       "Octants a millisecond, medians of {} rounds\n\n{:<10} {:>7} {:>13} {:>13} {:>13} "
       "{:>13} {:>13}\n",
       benchmarks::kRounds, "projection", "filled", "article", "across_image", "cameras 16",
       "cameras 32", "cameras 64");
-  for (const Projection projection : kBoth)
+  for (const SkyProjection projection : kBoth)
     for (const std::uint64_t percent : kPercents) {
       const Brick brick = scattered_brick(percent);
       Bench bench(brick, projection);
       print_rates(bench, percent);
     }
   fmt::print("\n{:<10} {:>7} {:>3} {:>20}\n", "projection", "filled", "W", "uncounted / by hand");
-  for (const Projection projection : kBoth)
+  for (const SkyProjection projection : kBoth)
     for (const std::uint64_t percent : kPercents) {
       const Brick brick = scattered_brick(percent);
       Bench bench(brick, projection);

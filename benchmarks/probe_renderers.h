@@ -18,7 +18,7 @@ struct ByteBrick {
 
 /// Images of all open octants, and harmonics, an octant after the other: a loop over 16 x 16 x 16
 /// bytes, and an image that is merged for each that is not 0. Returns the hash of the images.
-std::uint64_t article_loop(const ByteBrick& brick, Projection projection,
+std::uint64_t article_loop(const ByteBrick& brick, SkyProjection projection,
                            std::vector<Harmonics>& harmonics);
 
 /// Lanes of the host: 16 with AVX-512, else 8.
@@ -30,7 +30,7 @@ inline constexpr int kHostLanes = 8;
 
 /// What across_cameras does at W lanes, in vectors of the host. Returns the hash of the images.
 template <int W>
-std::uint64_t cameras_by_hand(const Brick& brick, Projection projection,
+std::uint64_t cameras_by_hand(const Brick& brick, SkyProjection projection,
                               std::vector<Harmonics>& harmonics);
 
 }  // namespace lanescope::benchmarks

@@ -37,10 +37,10 @@ CubeImages render(const SkySamples& samples) {
 
 }  // namespace
 
-const CubeImages& cube_images(Projection projection) {
-  static const CubeImages faces = render(sky_samples(Projection::kFaces));
-  static const CubeImages directions = render(sky_samples(Projection::kDirections));
-  return projection == Projection::kFaces ? faces : directions;
+const CubeImages& cube_images(SkyProjection projection) {
+  static const CubeImages faces = render(sky_samples(SkyProjection::kFaces));
+  static const CubeImages directions = render(sky_samples(SkyProjection::kDirections));
+  return projection == SkyProjection::kFaces ? faces : directions;
 }
 
 const std::vector<OctantRow>& octant_rows() {

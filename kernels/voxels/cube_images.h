@@ -38,7 +38,7 @@ struct CubeImages {
 };
 
 /// A sample is covered if its ray from the probe runs inside the cube for some length.
-const CubeImages& cube_images(Projection projection);
+const CubeImages& cube_images(SkyProjection projection);
 
 /// A row of an octant: y and z in cubes from the probe.
 struct OctantRow {

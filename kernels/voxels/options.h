@@ -63,7 +63,7 @@ inline ProbeOptions probe_options(const Arguments& arguments) {
 }
 
 /// The projection that the arguments of the workload ask for.
-inline Projection projection_of(const Arguments& arguments) {
+inline SkyProjection projection_of(const Arguments& arguments) {
   return decoded(world_parameters(), arguments).projection;
 }
 

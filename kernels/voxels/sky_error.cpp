@@ -168,7 +168,7 @@ class SkyError final : public Execution {
   }
 
   void measure_reach(const Brick& brick, const Probe& probe, const Seen& seen) {
-    const Cell corner{brick.origin.x + probe.x, brick.origin.y + probe.y, brick.origin.z + probe.z};
+    const Cube corner{brick.origin.x + probe.x, brick.origin.y + probe.y, brick.origin.z + probe.z};
     const Seen whole = by_even_rays([&](int octant, const SampleDirection& direction) {
       return is_occluded_by(field_.world(), corner, octant, direction);
     });

@@ -81,7 +81,7 @@ SampleDirection around(std::size_t axis, float cosine, float share) {
   return rounded(cosine, sine * cos_turns(turns), sine * sin_turns(turns), axis);
 }
 
-/// Cell (i, j) of a grid over the first octant, in which cells are equal shares of the integral of
+/// Cube (i, j) of a grid over the first octant, in which cells are equal shares of the integral of
 /// 1 (harmonic 0) or of the cosine to an axis.
 SampleDirection spread_direction(int harmonic, int i, int j) {
   const float s = (static_cast<float>(i) + 0.5f) / kDirectionGrid;
@@ -112,10 +112,10 @@ SkySamples counted_samples() {
 
 }  // namespace
 
-const SkySamples& sky_samples(Projection projection) {
+const SkySamples& sky_samples(SkyProjection projection) {
   static const SkySamples faces = face_samples();
   static const SkySamples directions = counted_samples();
-  return projection == Projection::kFaces ? faces : directions;
+  return projection == SkyProjection::kFaces ? faces : directions;
 }
 
 const std::vector<SampleDirection>& even_directions() {

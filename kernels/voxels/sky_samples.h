@@ -51,7 +51,7 @@ inline constexpr int kCountedWords = 2;
 /// centres of pixels, and a pixel is worth the integral of the harmonic over its solid angle.
 ///
 /// Directions: two words for each harmonic, as dense as the harmonic is large.
-const SkySamples& sky_samples(Projection projection);
+const SkySamples& sky_samples(SkyProjection projection);
 
 /// Directions of equal solid angle, in this number for an octant: what both are measured against.
 inline constexpr int kEvenDirections = 512;

@@ -13,7 +13,7 @@ namespace lanescope {
 namespace {
 
 /// A cube of an octant, by its distance from the corner along each axis, in the brick.
-Cell cube_at(const Probe& probe, int octant, const std::array<int, 3>& away) {
+Cube cube_at(const Probe& probe, int octant, const std::array<int, 3>& away) {
   const auto place = [&](int corner, std::size_t axis) {
     const bool falls = octant >> axis & 1;
     return kReach + corner + (falls ? -1 - away[axis] : away[axis]);
@@ -23,7 +23,7 @@ Cell cube_at(const Probe& probe, int octant, const std::array<int, 3>& away) {
 
 /// A megacube of an octant likewise: of its cubes the one nearest to the origin, relative to that
 /// of the brick.
-Cell megacube_at(const Probe& probe, int octant, const std::array<int, 3>& away) {
+Cube megacube_at(const Probe& probe, int octant, const std::array<int, 3>& away) {
   const auto place = [&](int corner, std::size_t axis) {
     const bool falls = octant >> axis & 1;
     return corner + kMegaCube * (falls ? -1 - away[axis] : away[axis]);
@@ -135,11 +135,11 @@ bool is_occluded(const Brick& brick, const Probe& probe, int octant,
          });
 }
 
-bool is_occluded_by(const World& world, Cell corner, int octant, const SampleDirection& direction) {
+bool is_occluded_by(const World& world, Cube corner, int octant, const SampleDirection& direction) {
   const auto place = [&](int at, std::size_t axis, int away) {
     return octant >> axis & 1 ? at - 1 - away : at + away;
   };
-  const Cell size = world.size();
+  const Cube size = world.size();
   return meets_filled(direction, std::max({size.x, size.y, size.z}), [&](const auto& away) {
     return world.filled(
         {place(corner.x, 0, away[0]), place(corner.y, 1, away[1]), place(corner.z, 2, away[2])});

@@ -18,7 +18,7 @@ bool is_occluded(const Brick& brick, const Probe& probe, int octant,
                  const SampleDirection& direction);
 
 /// Whether a ray from a corner meets a filled cube of the world, however far.
-bool is_occluded_by(const World& world, Cell corner, int octant, const SampleDirection& direction);
+bool is_occluded_by(const World& world, Cube corner, int octant, const SampleDirection& direction);
 
 /// Takes the image of an octant; null if the octant is blocked.
 using TakeImage = std::function<void(int octant, const std::int32_t* words)>;

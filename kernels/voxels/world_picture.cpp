@@ -51,15 +51,15 @@ constexpr float kMostHaze = 0.2f;
 // --- The grid ------------------------------------------------------------------------------------
 
 float& component(Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-int& component(Cell& c, int axis) { return axis == 0 ? c.x : axis == 1 ? c.y : c.z; }
+int& component(Cube& c, int axis) { return axis == 0 ? c.x : axis == 1 ? c.y : c.z; }
 
-Vec3 to_vector(Cell c) {
+Vec3 to_vector(Cube c) {
   return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)};
 }
 
 /// Cubes from `first` to before `end`.
 struct Box {
-  Cell first, end;
+  Cube first, end;
   bool empty() const { return first.x >= end.x || first.y >= end.y || first.z >= end.z; }
 };
 
@@ -79,7 +79,7 @@ void for_each_row(const World& world, const Box& box, const Visit& visit) {
 /// What is shown of a world, and casts shadows: within the margin are no probes, so its cubes would
 /// have no light and hide those that have. All of the world, if it is nothing but margin.
 Box shown_box(const World& world) {
-  const Cell size = world.size();
+  const Cube size = world.size();
   const int margin = world.margin;
   const Box inner{{margin, margin, margin}, {size.x - margin, size.y - margin, size.z - margin}};
   return inner.empty() ? Box{{}, size} : inner;
@@ -99,7 +99,7 @@ Box filled_box(const World& world, const Box& box) {
 
 /// A face of a cube, and where on it a ray came in.
 struct Hit {
-  Cell cube;
+  Cube cube;
   int axis = 0;   ///< Of the normal.
   int sign = -1;  ///< The normal points along the axis, 1, or against it, -1.
   Vec3 position;
@@ -180,7 +180,7 @@ class Walk {
 
   Box box_;
   Vec3 origin_, to_;
-  Cell cube_;
+  Cube cube_;
   int step_[3] = {}, last_[3] = {};       ///< The next cube, and the first beyond the box.
   float between_[3] = {}, next_[3] = {};  ///< Distances from face to face, and to the next.
   float distance_ = 0.0f;
@@ -269,17 +269,17 @@ class ProbeNumbers {
       : size_(source.world()->size()),
         columns_(static_cast<std::size_t>(size_.x + 1) * static_cast<std::size_t>(size_.z + 1) + 1),
         probes_(source.probe_count()) {
-    source.for_each_probe([&](Cell c, std::uint64_t) { ++columns_[column(c) + 1]; });
+    source.for_each_probe([&](Cube c, std::uint64_t) { ++columns_[column(c) + 1]; });
     for (std::size_t i = 1; i < columns_.size(); ++i) columns_[i] += columns_[i - 1];
     std::vector<std::uint64_t> next = columns_;
-    source.for_each_probe([&](Cell c, std::uint64_t number) {
+    source.for_each_probe([&](Cube c, std::uint64_t number) {
       probes_[next[column(c)]++] = {c.y, number};
     });
     for (std::size_t i = 1; i < columns_.size(); ++i)
       std::sort(at(columns_[i - 1]), at(columns_[i]), below);
   }
 
-  std::optional<std::uint64_t> find(Cell corner) const {
+  std::optional<std::uint64_t> find(Cube corner) const {
     const auto first = probes_.begin() + static_cast<std::ptrdiff_t>(columns_[column(corner)]);
     const auto end = probes_.begin() + static_cast<std::ptrdiff_t>(columns_[column(corner) + 1]);
     const auto found = std::lower_bound(first, end, Entry{corner.y, 0}, below);
@@ -295,7 +295,7 @@ class ProbeNumbers {
 
   static bool below(const Entry& a, const Entry& b) { return a.y < b.y; }
 
-  std::size_t column(Cell c) const {
+  std::size_t column(Cube c) const {
     return static_cast<std::size_t>(c.z) * static_cast<std::size_t>(size_.x + 1) +
            static_cast<std::size_t>(c.x);
   }
@@ -303,7 +303,7 @@ class ProbeNumbers {
     return probes_.begin() + static_cast<std::ptrdiff_t>(place);
   }
 
-  Cell size_;
+  Cube size_;
   std::vector<std::uint64_t> columns_;  ///< Where each column begins in probes_, and the last ends.
   std::vector<Entry> probes_;           ///< By column, then y.
 };
@@ -323,7 +323,7 @@ class Visibility {
   Linear at(const Hit& hit) const {
     // Corners 0 to 3 are along `u`, then along `v`.
     const int u = (hit.axis + 1) % 3, v = (hit.axis + 2) % 3;
-    Cell base = hit.cube;
+    Cube base = hit.cube;
     if (hit.sign > 0) ++component(base, hit.axis);
     Vec3 from_base = hit.position - to_vector(base);
     const float s = saturate(component(from_base, u)), t = saturate(component(from_base, v));
@@ -331,7 +331,7 @@ class Visibility {
     Linear sum;
     float found = 0.0f;
     for (int i = 0; i < 4; ++i) {
-      Cell corner = base;
+      Cube corner = base;
       component(corner, u) += i & 1;
       component(corner, v) += i >> 1;
       const auto number = numbers_.find(corner);
@@ -421,7 +421,7 @@ class Painter {
     return mix(soft(squared(displayed_albedo(hit.cube)) * light), kHaze, kMostHaze * depth * depth);
   }
 
-  Vec3 displayed_albedo(Cell cube) const {
+  Vec3 displayed_albedo(Cube cube) const {
     const World::Colour& colour = world_.colour(cube);
     return Vec3{static_cast<float>(colour[0]), static_cast<float>(colour[1]),
                 static_cast<float>(colour[2])} *

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
+#include <sstream>
 
 #include "tests/repository/source_files.h"
 
@@ -111,6 +113,38 @@ TEST(Layering, OnlyStudiesKnowPapers) {
     std::smatch found;
     EXPECT_FALSE(std::regex_search(text, found, kNamesAPaper)) << path << " names " << found.str();
   });
+}
+
+/// The types that a header defines at namespace scope, with their namespaces.
+std::vector<std::string> types_of(const std::string& text) {
+  static const std::regex kNamespace(R"(^(?:inline )?namespace ([\w:]+)(?: LANESCOPE_HOST)? \{)");
+  static const std::regex kType(R"(^(?:struct|class|enum class|enum) (\w+)[^;]*\{)");
+  std::vector<std::string> types;
+  std::string scope, before;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line); before = line) {
+    std::smatch found;
+    if (std::regex_search(line, found, kNamespace)) scope += "::" + found[1].str();
+    if (line.starts_with("}  // ")) scope = scope.substr(0, scope.rfind("::"));
+    const bool is_template = before.starts_with("template") || before.starts_with("requires");
+    if (!is_template && std::regex_search(line, found, kType))
+      types.push_back(scope + "::" + found[1].str());
+  }
+  return types;
+}
+
+/// Two types of one name would be taken for each other by the linker, without a word.
+TEST(Layering, NoTwoHeadersDefineATypeOfOneName) {
+  std::map<std::string, std::string> headers;
+  for (const char* folder : {"simulator", "workloads", "kernels", "analysis"})
+    for_each_source(folder, [&](const std::string& path, const std::string& text) {
+      if (!path.ends_with(".h")) return;
+      for (const std::string& type : types_of(text)) {
+        const auto [other, is_new] = headers.emplace(type, path);
+        EXPECT_TRUE(is_new) << path << " and " << other->second << " define " << type;
+      }
+    });
+  EXPECT_GT(headers.size(), 150u);
 }
 
 /// Tests run beside each other, so a file of a fixed name would be shared.

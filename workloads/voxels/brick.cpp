@@ -16,13 +16,13 @@ std::uint64_t Brick::hash() const {
   return hash;
 }
 
-void Brick::fill(Cell c) {
+void Brick::fill(Cube c) {
   const auto word = static_cast<std::size_t>(row(c.y, c.z));
   if (c.x >= 16) rows[word + kForward] |= 1u << (c.x - 16);
   if (c.x < 32) rows[word + kBackward] |= 1u << (31 - c.x);
 }
 
-void Brick::fill_mega(Cell c) {
+void Brick::fill_mega(Cube c) {
   const int place = c.x & (kMegaCube - 1), step = (c.x - place) / kMegaCube;
   const auto word = static_cast<std::size_t>(mega_row(place, c.y, c.z));
   if (step >= 0) rows[word + kForward] |= 1u << step;

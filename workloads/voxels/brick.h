@@ -64,27 +64,27 @@ struct Brick final : Work {
   bool has_megacubes() const { return rows.size() > kWords; }
   /// Whether the megacube is opaque whose cube nearest to the origin this is, relative to that of
   /// the brick. Requires one that a probe sees.
-  bool mega_filled(Cell c) const {
+  bool mega_filled(Cube c) const {
     const int place = c.x & (kMegaCube - 1), step = (c.x - place) / kMegaCube;
     const int word = mega_row(place, c.y, c.z) + (step < 0 ? kBackward : kForward);
     return rows[static_cast<std::size_t>(word)] >> (step < 0 ? 2 - step : step) & 1;
   }
   /// Makes a megacube opaque. Requires one that a probe sees, and room for megacubes.
-  void fill_mega(Cell c);
+  void fill_mega(Cube c);
 
   /// Requires a cube of the brick.
-  bool filled(Cell c) const {
+  bool filled(Cube c) const {
     const int word = row(c.y, c.z) + (c.x < 16 ? kBackward : kForward);
     return rows[static_cast<std::size_t>(word)] >> (c.x < 16 ? 31 - c.x : c.x - 16) & 1;
   }
   /// Requires a cube of the brick.
-  void fill(Cell c);
+  void fill(Cube c);
   /// Empties all cubes, and makes room for megacubes or not.
   void clear(bool with_megacubes = false) {
     rows.assign(with_megacubes ? kWords + kMegaWords : kWords, 0);
   }
 
-  Cell origin;                      ///< The corner (0, 0, 0) in the world.
+  Cube origin;                      ///< The corner (0, 0, 0) in the world.
   std::uint64_t first_probe = 0;    ///< Number of the first probe among those of the scene.
   std::vector<std::uint32_t> rows;  ///< [kWords], or [kWords + kMegaWords]
   std::vector<Probe> probes;        ///< By z, y, x.

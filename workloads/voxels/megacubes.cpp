@@ -27,7 +27,7 @@ Megacubes::Megacubes(const World& world, float least_share)
       least_(std::max(1, static_cast<int>(std::ceil(least_share * kMegaVolume)))) {
   const auto x = static_cast<std::size_t>(size_.x), y = static_cast<std::size_t>(size_.y);
   filled_.resize(x * y * static_cast<std::size_t>(size_.z));
-  const Cell size = world.size();
+  const Cube size = world.size();
   for (int k = 0; k < size.z; ++k)
     for (int j = 0; j < size.y; ++j)
       for (int i = 0; i < size.x; ++i) filled_[index({i, j, k})] = world.filled({i, j, k});
@@ -36,7 +36,7 @@ Megacubes::Megacubes(const World& world, float least_share)
   add_next(filled_, x * y, static_cast<std::size_t>(size_.z));
 }
 
-bool Megacubes::opaque(Cell c) const {
+bool Megacubes::opaque(Cube c) const {
   const auto is_in = [](int place, int size) {
     return place >= -kBefore && place < size - kBefore;
   };
@@ -44,7 +44,7 @@ bool Megacubes::opaque(Cell c) const {
          filled_[index(c)] >= least_;
 }
 
-std::size_t Megacubes::index(Cell c) const {
+std::size_t Megacubes::index(Cube c) const {
   return (static_cast<std::size_t>(c.z + kBefore) * static_cast<std::size_t>(size_.y) +
           static_cast<std::size_t>(c.y + kBefore)) *
              static_cast<std::size_t>(size_.x) +

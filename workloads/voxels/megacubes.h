@@ -17,12 +17,12 @@ class Megacubes {
   Megacubes(const World& world, float least_share);
 
   /// Whether the megacube is opaque whose cube nearest to the origin this is; outside none is.
-  bool opaque(Cell c) const;
+  bool opaque(Cube c) const;
 
  private:
-  std::size_t index(Cell c) const;
+  std::size_t index(Cube c) const;
 
-  Cell size_;                         ///< Of the world, and the places before it.
+  Cube size_;                         ///< Of the world, and the places before it.
   std::vector<std::uint8_t> filled_;  ///< [z][y][x] Cubes that are, from (-3, -3, -3) on.
   int least_;
 };

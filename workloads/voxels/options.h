@@ -12,21 +12,21 @@
 namespace lanescope {
 
 /// Where the samples of an octant are.
-enum class Projection {
+enum class SkyProjection {
   kFaces,  ///< The pixels of three faces of 16 x 16, a quarter of a cubemap's each.
   /// 256 directions, 64 for each of four harmonics, as dense as that harmonic is large: then the
   /// harmonic is the number of samples that see the sky.
   kDirections,
 };
 
-inline constexpr std::array<Choice<Projection>, 2> kProjections{
-    {{"faces", Projection::kFaces}, {"directions", Projection::kDirections}}};
+inline constexpr std::array<Choice<SkyProjection>, 2> kProjections{
+    {{"faces", SkyProjection::kFaces}, {"directions", SkyProjection::kDirections}}};
 
 /// The share of its cubes that makes a megacube opaque, if none is given.
 inline constexpr float kMegaFill = 0.25f;
 
 struct WorldOptions {
-  Projection projection = Projection::kFaces;
+  SkyProjection projection = SkyProjection::kFaces;
   std::optional<int> size_cubes;      ///< Of a built-in scene.
   std::optional<std::uint64_t> seed;  ///< Of a built-in scene.
   int piece_probes = 256;

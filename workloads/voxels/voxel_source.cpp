@@ -7,7 +7,7 @@ namespace lanescope {
 namespace {
 
 /// Whether some of the eight cubes at a corner are filled, and some are not.
-bool is_surface(const World& world, Cell corner) {
+bool is_surface(const World& world, Cube corner) {
   int filled = 0;
   for (int i = 0; i < 8; ++i)
     filled += world.filled({corner.x - (i & 1), corner.y - (i >> 1 & 1), corner.z - (i >> 2)});
@@ -25,7 +25,7 @@ void for_bricks(int first, int last, const Visit& visit) {
 VoxelSource::VoxelSource(std::shared_ptr<const World> world, const WorldOptions& options)
     : world_(std::move(world)), piece_probes_(static_cast<std::size_t>(options.piece_probes)) {
   if (options.levels == 2) megacubes_.emplace(*world_, options.mega_fill.value_or(kMegaFill));
-  const Cell size = world_->size();
+  const Cube size = world_->size();
   const int margin = world_->margin;
   for_bricks(margin, size.z - margin, [&](int z) {
     for_bricks(margin, size.x - margin, [&](int x) {
@@ -39,8 +39,8 @@ VoxelSource::VoxelSource(std::shared_ptr<const World> world, const WorldOptions&
   });
 }
 
-std::vector<Probe> VoxelSource::probes_of(Cell origin) const {
-  const Cell size = world_->size();
+std::vector<Probe> VoxelSource::probes_of(Cube origin) const {
+  const Cube size = world_->size();
   const auto end = [&](int first, int cubes) {
     return std::min(kBrickCorners, cubes - world_->margin - first + 1);
   };
@@ -80,7 +80,7 @@ std::vector<std::uint64_t> VoxelSource::fill(Brick& brick) const {
   for (int z = 0; z < kBrickCubes; ++z)
     for (int y = 0; y < kBrickCubes; ++y)
       for (int x = 0; x < kBrickCubes; ++x) {
-        const Cell cube{brick.origin.x - kReach + x, brick.origin.y - kReach + y,
+        const Cube cube{brick.origin.x - kReach + x, brick.origin.y - kReach + y,
                         brick.origin.z - kReach + z};
         if (!world_->contains(cube)) continue;
         ++seen;
@@ -106,7 +106,7 @@ std::vector<std::string> VoxelSource::notes() const {
 }
 
 void VoxelSource::for_each_probe(
-    const std::function<void(Cell corner, std::uint64_t number)>& visit) const {
+    const std::function<void(Cube corner, std::uint64_t number)>& visit) const {
   for (const Place& place : bricks_) {
     std::uint64_t number = place.first_probe;
     for (const Probe& probe : probes_of(place.origin))

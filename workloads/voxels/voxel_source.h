@@ -39,15 +39,15 @@ class VoxelSource final : public Source {
   std::uint64_t probe_count() const { return probe_count_; }
 
   /// Every probe of the world with its number, in no order that matters.
-  void for_each_probe(const std::function<void(Cell corner, std::uint64_t number)>& visit) const;
+  void for_each_probe(const std::function<void(Cube corner, std::uint64_t number)>& visit) const;
 
  private:
   struct Place {
-    Cell origin;
+    Cube origin;
     std::uint64_t first_probe;
   };
 
-  std::vector<Probe> probes_of(Cell origin) const;
+  std::vector<Probe> probes_of(Cube origin) const;
   /// Fills the cubes of a brick. Returns the counters.
   std::vector<std::uint64_t> fill(Brick& brick) const;
   void fill_megacubes(Brick& brick) const;

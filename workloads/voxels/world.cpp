@@ -7,7 +7,7 @@
 
 namespace lanescope {
 
-World::World(Cell size) : size_(size) {
+World::World(Cube size) : size_(size) {
   const auto fits = [](int cubes) { return cubes >= 1 && cubes <= kMostCubes; };
   LANESCOPE_CHECK(fits(size.x) && fits(size.y) && fits(size.z), "a world of {} x {} x {} cubes",
                   size.x, size.y, size.z);

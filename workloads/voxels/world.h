@@ -10,9 +10,9 @@
 namespace lanescope {
 
 /// A cube of the lattice, or the corner of it that is nearest to the origin; y is up.
-struct Cell {
+struct Cube {
   int x = 0, y = 0, z = 0;
-  bool operator==(const Cell&) const = default;
+  bool operator==(const Cube&) const = default;
 };
 
 /// Cubes 0 ... size - 1 along each axis; whatever is outside is empty. A cube has the number of a
@@ -26,18 +26,18 @@ class World {
   using Colour = std::array<std::uint8_t, 3>;  ///< As displayed.
 
   /// An empty world. Requires sizes from 1 to kMostCubes, and at most kMostVolume cubes in all.
-  explicit World(Cell size);
+  explicit World(Cube size);
 
-  Cell size() const { return size_; }
-  bool contains(Cell c) const {
+  Cube size() const { return size_; }
+  bool contains(Cube c) const {
     return c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x < size_.x && c.y < size_.y && c.z < size_.z;
   }
-  bool filled(Cell c) const { return contains(c) && cubes_[index(c)] != 0; }
+  bool filled(Cube c) const { return contains(c) && cubes_[index(c)] != 0; }
   /// 0 for an empty cube. Requires a cube of the world.
-  std::uint8_t colour_number(Cell c) const { return cubes_[index(c)]; }
-  const Colour& colour(Cell c) const { return palette[colour_number(c)]; }
+  std::uint8_t colour_number(Cube c) const { return cubes_[index(c)]; }
+  const Colour& colour(Cube c) const { return palette[colour_number(c)]; }
   /// Requires a cube of the world. Number 0 empties it.
-  void fill(Cell c, std::uint8_t colour_number) { cubes_[index(c)] = colour_number; }
+  void fill(Cube c, std::uint8_t colour_number) { cubes_[index(c)] = colour_number; }
   /// Filled cubes.
   std::uint64_t filled_count() const;
 
@@ -47,14 +47,14 @@ class World {
   int margin = 0;
 
  private:
-  std::size_t index(Cell c) const {
+  std::size_t index(Cube c) const {
     return (static_cast<std::size_t>(c.z) * static_cast<std::size_t>(size_.y) +
             static_cast<std::size_t>(c.y)) *
                static_cast<std::size_t>(size_.x) +
            static_cast<std::size_t>(c.x);
   }
 
-  Cell size_;
+  Cube size_;
   std::vector<std::uint8_t> cubes_;  ///< [z][y][x]
 };
 

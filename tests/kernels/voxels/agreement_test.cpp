@@ -13,7 +13,8 @@ namespace {
 
 const std::vector<int> kAllWidths(std::begin(test::kTriedWidths), std::end(test::kTriedWidths));
 
-class VoxelAgreement : public testing::TestWithParam<std::tuple<const VoxelScene*, Projection>> {};
+class VoxelAgreement : public testing::TestWithParam<std::tuple<const VoxelScene*, SkyProjection>> {
+};
 
 TEST_P(VoxelAgreement, WithTheReference) {
   const auto [scene, projection] = GetParam();
@@ -55,8 +56,8 @@ TEST_P(VoxelAgreement, OfSplitExecutions) {
 
 INSTANTIATE_TEST_SUITE_P(Worlds, VoxelAgreement,
                          testing::Combine(testing::ValuesIn(voxel_scenes()),
-                                          testing::Values(Projection::kFaces,
-                                                          Projection::kDirections)),
+                                          testing::Values(SkyProjection::kFaces,
+                                                          SkyProjection::kDirections)),
                          [](const auto& info) {
                            return fmt::format("{}_{}", std::get<0>(info.param)->name,
                                               name_of(kProjections, std::get<1>(info.param)));
@@ -65,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Worlds, VoxelAgreement,
 /// The slow modes charge each instruction as it is issued.
 TEST(VoxelModes, CountTheSame) {
   const auto bricks = test::bricks_of(find_voxel_scene("scattered20").build(24, 5), 97);
-  for (const Projection projection : {Projection::kFaces, Projection::kDirections})
+  for (const SkyProjection projection : {SkyProjection::kFaces, SkyProjection::kDirections})
     for (const Kernel* kernel : test::voxel_programs())
       for (const int width : {1, 5, 8, 24, 33, 64}) {
         if (width > kernel->most_width) continue;

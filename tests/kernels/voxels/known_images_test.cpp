@@ -12,7 +12,7 @@
 namespace lanescope {
 namespace {
 
-constexpr Projection kBoth[] = {Projection::kFaces, Projection::kDirections};
+constexpr SkyProjection kBoth[] = {SkyProjection::kFaces, SkyProjection::kDirections};
 const double kOpenSky = std::sqrt(4 * std::numbers::pi);
 
 Brick empty_brick(std::uint64_t first_probe, std::vector<Probe> probes) {
@@ -28,13 +28,13 @@ void fill_where(Brick& brick, const Test& test) {
   for (int z = 0; z < kBrickCubes; ++z)
     for (int y = 0; y < kBrickCubes; ++y)
       for (int x = 0; x < kBrickCubes; ++x)
-        if (test(Cell{x, y, z})) brick.fill({x, y, z});
+        if (test(Cube{x, y, z})) brick.fill({x, y, z});
 }
 
 /// Expects these harmonics of each probe, from all programs and the reference.
 void expect_harmonics(const Brick& brick, const std::array<double, kHarmonics>& wanted,
                       double tolerance) {
-  for (const Projection projection : kBoth) {
+  for (const SkyProjection projection : kBoth) {
     std::vector<const Kernel*> all = test::voxel_programs();
     all.push_back(&find_kernel("voxel_rays"));
     for (const Kernel* kernel : all) {
@@ -52,7 +52,7 @@ TEST(KnownImages, AnEmptyWorldIsAllSky) {
   const Brick brick = empty_brick(0, {{0, 0, 0}, {8, 3, 5}, {15, 15, 15}});
   expect_harmonics(brick, {kOpenSky, 0, 0, 0}, 1e-6);
   for (const Kernel* kernel : test::voxel_programs()) {
-    const auto rendered = test::render(*kernel, 1, Mode::kCounting, Projection::kFaces, {brick});
+    const auto rendered = test::render(*kernel, 1, Mode::kCounting, SkyProjection::kFaces, {brick});
     EXPECT_EQ(rendered.counter(*kernel, "octants_rendered"), 24u);
     EXPECT_EQ(rendered.counter(*kernel, "samples_taken"), 24u * 768);
     EXPECT_EQ(rendered.counter(*kernel, "samples_occluded"), 0u);
@@ -62,11 +62,11 @@ TEST(KnownImages, AnEmptyWorldIsAllSky) {
 
 TEST(KnownImages, AFullWorldHasNone) {
   Brick brick = empty_brick(0, {{0, 0, 0}, {15, 15, 15}, {4, 9, 1}});
-  fill_where(brick, [](Cell) { return true; });
+  fill_where(brick, [](Cube) { return true; });
   expect_harmonics(brick, {0, 0, 0, 0}, 0);
   for (const Kernel* kernel : test::voxel_programs()) {
     const auto rendered =
-        test::render(*kernel, 1, Mode::kCounting, Projection::kDirections, {brick});
+        test::render(*kernel, 1, Mode::kCounting, SkyProjection::kDirections, {brick});
     EXPECT_EQ(rendered.counter(*kernel, "octants_blocked"), 24u);
     EXPECT_EQ(rendered.counter(*kernel, "octants_rendered"), 0u);
   }
@@ -75,7 +75,7 @@ TEST(KnownImages, AFullWorldHasNone) {
 /// The upper half of the sphere: half of harmonic 0, and sqrt(3 / 4 pi) pi of the one of y.
 TEST(KnownImages, APlainSeesTheUpperHalf) {
   Brick brick = empty_brick(0, {{0, 8, 0}, {7, 8, 15}});
-  fill_where(brick, [](Cell c) { return c.y < kReach + 8; });
+  fill_where(brick, [](Cube c) { return c.y < kReach + 8; });
   expect_harmonics(brick, {kOpenSky / 2, 0, std::sqrt(3 * std::numbers::pi) / 2, 0}, 1e-5);
 }
 
@@ -84,7 +84,7 @@ TEST(KnownImages, ReachIsSixteenCubes) {
   for (const int distance : {kReach - 1, kReach}) {
     Brick brick = empty_brick(0, {{8, 8, 8}});
     const auto away = [](int place) { return place >= 24 ? place - 24 : 23 - place; };
-    fill_where(brick, [&](Cell c) {
+    fill_where(brick, [&](Cube c) {
       return std::max({away(c.x), away(c.y), away(c.z)}) == distance;
     });
     expect_harmonics(brick, {distance < kReach ? 0 : kOpenSky, 0, 0, 0}, 1e-6);
@@ -118,13 +118,13 @@ TEST(KnownImages, OneCubeInEachPlace) {
     brick.fill({at(0, place % 16), at(1, place / 16 % 16), at(2, place / 256)});
     bricks.push_back(std::move(brick));
   }
-  for (const Projection projection : kBoth)
+  for (const SkyProjection projection : kBoth)
     test::expect_agreement(bricks, projection, {Mode::kCounting}, {1, 24, 64});
 }
 
 /// Found by the article's measure too: every cube covers a pixel, and 5.7 of them on average.
 TEST(CubeImages, CoverWhatIsKnownOfThem) {
-  const CubeImages& images = cube_images(Projection::kFaces);
+  const CubeImages& images = cube_images(SkyProjection::kFaces);
   std::uint64_t covered = 0;
   for (int cube = 0; cube < kOctantCubes; ++cube) {
     int bits = 0;
@@ -142,7 +142,7 @@ TEST(CubeImages, CoverWhatIsKnownOfThem) {
 /// The cube at the camera covers everything; its neighbour along x what the ray's slope says:
 /// pixels of the face towards x whose ray leaves the first cube through its far wall.
 TEST(CubeImages, NearestCubesInClosedForm) {
-  const CubeImages& images = cube_images(Projection::kFaces);
+  const CubeImages& images = cube_images(SkyProjection::kFaces);
   for (int w = 0; w < images.words; ++w) EXPECT_EQ(images.images[static_cast<std::size_t>(w)], ~0u);
   const auto next = std::span(images.images).subspan(24, 24);
   for (std::size_t w = 0; w < 8; ++w) EXPECT_EQ(next[w], ~0u) << "the face towards x";

@@ -37,9 +37,9 @@ std::uint64_t Rendered::counter(const Kernel& kernel, std::string_view name) con
   return 0;
 }
 
-Rendered render(const Kernel& kernel, int width, Mode mode, Projection projection,
+Rendered render(const Kernel& kernel, int width, Mode mode, SkyProjection projection,
                 const std::vector<Brick>& bricks) {
-  ProbeField field(std::make_shared<const World>(Cell{1, 1, 1}), probe_count(bricks));
+  ProbeField field(std::make_shared<const World>(Cube{1, 1, 1}), probe_count(bricks));
   CountingObserver observer(width, kernel.stages.size());
   Arguments arguments = encoded(merge_parameters(), ProbeOptions{});
   // Also where few images fit, so that all widths are tried.
@@ -85,7 +85,7 @@ void expect_same(const Kernel& kernel, const Rendered& rendered, const Rendered&
           << "probe " << probe << ", harmonic " << h;
 }
 
-void expect_agreement(const std::vector<Brick>& bricks, Projection projection,
+void expect_agreement(const std::vector<Brick>& bricks, SkyProjection projection,
                       const std::vector<Mode>& modes, const std::vector<int>& widths) {
   const Rendered reference =
       render(find_kernel("voxel_rays"), 1, Mode::kCounting, projection, bricks);

@@ -26,7 +26,7 @@ struct Rendered {
 
 /// Runs a kernel over bricks on one execution. A tracing machine is watched by an observer that
 /// counts.
-Rendered render(const Kernel& kernel, int width, Mode mode, Projection projection,
+Rendered render(const Kernel& kernel, int width, Mode mode, SkyProjection projection,
                 const std::vector<Brick>& bricks);
 
 /// The bricks of a world, with every `step`-th of their probes.
@@ -37,7 +37,7 @@ std::vector<Brick> bricks_of(const World& world, std::size_t step, int levels = 
 void expect_same(const Kernel& kernel, const Rendered& rendered, const Rendered& reference);
 
 /// Expects every program, in these modes at these widths, to agree with the reference.
-void expect_agreement(const std::vector<Brick>& bricks, Projection projection,
+void expect_agreement(const std::vector<Brick>& bricks, SkyProjection projection,
                       const std::vector<Mode>& modes, const std::vector<int>& widths);
 
 }  // namespace lanescope::test

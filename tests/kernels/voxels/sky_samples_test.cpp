@@ -15,7 +15,7 @@ double octant_integral(int harmonic) {
   return harmonic == 0 ? std::sqrt(std::numbers::pi) / 4 : std::sqrt(3 * std::numbers::pi) / 8;
 }
 
-class Samples : public testing::TestWithParam<Projection> {};
+class Samples : public testing::TestWithParam<SkyProjection> {};
 
 TEST_P(Samples, AreWorthTheWholeOctant) {
   const SkySamples& samples = sky_samples(GetParam());
@@ -47,13 +47,13 @@ TEST_P(Samples, SumsFit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Projections, Samples,
-                         testing::Values(Projection::kFaces, Projection::kDirections),
+                         testing::Values(SkyProjection::kFaces, SkyProjection::kDirections),
                          [](const auto& info) {
                            return std::string(name_of(kProjections, info.param));
                          });
 
 TEST(FaceSamples, AreThePixels) {
-  const SkySamples& samples = sky_samples(Projection::kFaces);
+  const SkySamples& samples = sky_samples(SkyProjection::kFaces);
   ASSERT_EQ(samples.words, 24);
   // Face towards y (the second), pixel u = 3 along z, v = 5 along x.
   const std::size_t sample = 256 + 5 * 16 + 3;
@@ -66,7 +66,7 @@ TEST(FaceSamples, AreThePixels) {
 /// As dense as the harmonic is large: of the directions for harmonic x, as many as the integral of
 /// x says have an x above one half (three quarters), and any two axes are alike.
 TEST(DirectionSamples, AreAsDenseAsTheHarmonicIsLarge) {
-  const SkySamples& samples = sky_samples(Projection::kDirections);
+  const SkySamples& samples = sky_samples(SkyProjection::kDirections);
   ASSERT_EQ(samples.words, 8);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     int above = 0;

@@ -32,7 +32,7 @@ struct Lit {
         source(world),
         field(world, source.probe_count()) {
     source.for_each_probe(
-        [&](Cell corner, std::uint64_t number) { field.write(number, harmonics_at(corner)); });
+        [&](Cube corner, std::uint64_t number) { field.write(number, harmonics_at(corner)); });
   }
 
   Raster draw(Shown shown) const { return draw_world(*world, field, shown); }
@@ -43,10 +43,10 @@ struct Lit {
 };
 
 Lit half_open(World world) {
-  return Lit(std::move(world), [](Cell) { return half_open(); });
+  return Lit(std::move(world), [](Cube) { return half_open(); });
 }
 
-World empty_world(Cell size) {
+World empty_world(Cube size) {
   World world(size);
   world.palette[1] = {200, 120, 40};
   return world;
@@ -150,9 +150,9 @@ TEST(WorldPicture, OccludesAPlainEvenly) {
 }
 
 TEST(WorldPicture, DarkensAroundAnOccludedCorner) {
-  const Cell occluded{4, 1, 4};
+  const Cube occluded{4, 1, 4};
   const Lit lit(plain(8),
-                [&](Cell corner) { return corner == occluded ? Harmonics{} : half_open(); });
+                [&](Cube corner) { return corner == occluded ? Harmonics{} : half_open(); });
   for (const Shown shown : {Shown::kOcclusion, Shown::kFinal}) {
     const Raster open = half_open(plain(8)).draw(shown);
     const Raster raster = lit.draw(shown);
@@ -173,7 +173,7 @@ TEST(WorldPicture, InterpolatesHarmonics) {
   World world = empty_world({1, 1, 1});
   world.fill({0, 0, 0}, 1);
   const Lit lit(std::move(world),
-                [&](Cell corner) { return corner.x == 0 ? Harmonics{} : half_open(); });
+                [&](Cube corner) { return corner.x == 0 ? Harmonics{} : half_open(); });
   const Raster raster = lit.draw(Shown::kOcclusion);
   std::array<int, 256> pixels{};
   for (const std::size_t i : inner_pixels(raster)) ++pixels[raster.pixels[i][0]];
@@ -184,7 +184,7 @@ TEST(WorldPicture, InterpolatesHarmonics) {
 TEST(WorldPicture, LightsTheSideThatSeesTheSky) {
   const auto ambient_of = [](float cy) {
     World world = plain(4);
-    const Lit lit(std::move(world), [&](Cell) { return Harmonics{half_open()[0], 0, cy, 0}; });
+    const Lit lit(std::move(world), [&](Cube) { return Harmonics{half_open()[0], 0, cy, 0}; });
     const Raster raster = lit.draw(Shown::kAmbient);
     return brightness(raster.pixels[inner_pixels(raster)[1000]]);  // Of the top, at the far end.
   };
@@ -211,7 +211,7 @@ TEST(WorldPicture, CastsShadowsOfTheSun) {
 }
 
 TEST(WorldPicture, OfCubesNeedsNoHarmonics) {
-  const Lit dark(plain(4), [](Cell) { return Harmonics{}; });
+  const Lit dark(plain(4), [](Cube) { return Harmonics{}; });
   EXPECT_EQ(dark.draw(Shown::kCubes).pixels, half_open(plain(4)).draw(Shown::kCubes).pixels);
   EXPECT_NE(dark.draw(Shown::kFinal).pixels, half_open(plain(4)).draw(Shown::kFinal).pixels);
 }
@@ -240,7 +240,7 @@ TEST(WorldPicture, OfAWorldThatIsAllMarginShowsAll) {
 }
 
 TEST(WorldPicture, IsTheSameEachTime) {
-  const Lit lit(plain(6), [](Cell corner) {
+  const Lit lit(plain(6), [](Cube corner) {
     return Harmonics{0.3f * static_cast<float>(corner.x), 0.2f, 0.1f * static_cast<float>(corner.z),
                      0.0f};
   });

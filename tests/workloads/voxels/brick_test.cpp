@@ -18,7 +18,7 @@ namespace lanescope {
 namespace {
 
 /// Filled at random, `percent` of a hundred.
-World random_world(Cell size, std::uint64_t seed, std::uint64_t percent, int margin = 0) {
+World random_world(Cube size, std::uint64_t seed, std::uint64_t percent, int margin = 0) {
   World world(size);
   for (int z = 0; z < size.z; ++z)
     for (int y = 0; y < size.y; ++y)
@@ -34,13 +34,13 @@ template <class Visit>
 void for_each_cube_of_brick(const Visit& visit) {
   for (int z = 0; z < kBrickCubes; ++z)
     for (int y = 0; y < kBrickCubes; ++y)
-      for (int x = 0; x < kBrickCubes; ++x) visit(Cell{x, y, z});
+      for (int x = 0; x < kBrickCubes; ++x) visit(Cube{x, y, z});
 }
 
 Brick brick_of(const World& world) {
   Brick brick;
   brick.clear();
-  for_each_cube_of_brick([&](Cell c) {
+  for_each_cube_of_brick([&](Cube c) {
     if (world.filled(c)) brick.fill(c);
   });
   return brick;
@@ -49,7 +49,7 @@ Brick brick_of(const World& world) {
 TEST(Brick, HasTheCubesThatWereFilled) {
   const World world = random_world({kBrickCubes, kBrickCubes, kBrickCubes}, 1, 30);
   const Brick brick = brick_of(world);
-  for_each_cube_of_brick([&](Cell c) { ASSERT_EQ(brick.filled(c), world.filled(c)); });
+  for_each_cube_of_brick([&](Cube c) { ASSERT_EQ(brick.filled(c), world.filled(c)); });
 }
 
 TEST(Brick, HasRowsOfBothWays) {
@@ -115,7 +115,7 @@ using CornerCounts = std::map<std::tuple<int, int, int>, int>;
 /// The corners that some filled and some empty cube meet at, by looking at all.
 CornerCounts surface_corners(const World& world) {
   CornerCounts corners;
-  const Cell size = world.size();
+  const Cube size = world.size();
   const int margin = world.margin;
   for (int z = margin; z <= size.z - margin; ++z)
     for (int y = margin; y <= size.y - margin; ++y)
@@ -130,7 +130,7 @@ CornerCounts surface_corners(const World& world) {
 }
 
 struct WorldCase {
-  Cell size;
+  Cube size;
   std::uint64_t percent;
   int margin;
 };
@@ -179,8 +179,8 @@ TEST_P(VoxelSources, HaveTheCubesAroundEachBrick) {
       EXPECT_LE(brick.probes.size(), 7u);
       EXPECT_FALSE(brick.has_megacubes());
       seen = filled = 0;
-      for_each_cube_of_brick([&](Cell c) {
-        const Cell there{brick.origin.x - kReach + c.x, brick.origin.y - kReach + c.y,
+      for_each_cube_of_brick([&](Cube c) {
+        const Cube there{brick.origin.x - kReach + c.x, brick.origin.y - kReach + c.y,
                          brick.origin.z - kReach + c.z};
         ASSERT_EQ(brick.filled(c), world->filled(there));
         seen += world->contains(there);
@@ -257,7 +257,7 @@ TEST_P(VoxelSources, NumberProbesAsForEachProbeDoes) {
                                            brick.origin.z + p.z};
       }
     });
-  source.for_each_probe([&](Cell corner, std::uint64_t number) {
+  source.for_each_probe([&](Cube corner, std::uint64_t number) {
     EXPECT_TRUE(visited.emplace(number, std::array{corner.x, corner.y, corner.z}).second);
   });
   EXPECT_EQ(produced, visited);
@@ -281,7 +281,7 @@ TEST_P(VoxelSources, GiveTheSameInAnyOrderOfSegments) {
 }
 
 TEST(VoxelSource, SaysThatAWorldHasNoProbe) {
-  const auto empty = std::make_shared<const World>(Cell{8, 8, 8});
+  const auto empty = std::make_shared<const World>(Cube{8, 8, 8});
   const VoxelSource source(empty);
   EXPECT_EQ(source.segment_count(), 0);
   EXPECT_EQ(source.probe_count(), 0u);

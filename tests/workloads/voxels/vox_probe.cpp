@@ -18,9 +18,9 @@ void require(bool condition, const char* promise) {
 }
 
 void check_cropped(const World& world) {
-  const Cell size = world.size();
+  const Cube size = world.size();
   if (std::int64_t{size.x} * size.y * size.z > kLooked) return;
-  Cell low = size, high{-1, -1, -1};
+  Cube low = size, high{-1, -1, -1};
   for (int z = 0; z < size.z; ++z)
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x) {
@@ -28,7 +28,7 @@ void check_cropped(const World& world) {
         low = {std::min(low.x, x), std::min(low.y, y), std::min(low.z, z)};
         high = {std::max(high.x, x), std::max(high.y, y), std::max(high.z, z)};
       }
-  require(low == Cell{} && high == Cell{size.x - 1, size.y - 1, size.z - 1},
+  require(low == Cube{} && high == Cube{size.x - 1, size.y - 1, size.z - 1},
           "a world is as large as its cubes reach");
 }
 

@@ -112,7 +112,7 @@ TEST(VoxReader, TurnsZUp) {
   const std::string children =
       model(2, 3, 4, {{0, 0, 0, 1}, {1, 0, 0, 2}, {0, 2, 0, 3}, {0, 0, 3, 4}});
   const World world = parse_vox("w.vox", file_of(children));
-  EXPECT_EQ(world.size(), (Cell{2, 4, 3}));
+  EXPECT_EQ(world.size(), (Cube{2, 4, 3}));
   EXPECT_EQ(world.margin, 0);
   EXPECT_EQ(cubes_of(world), (Cubes{{0, 0, 2, 1}, {1, 0, 2, 2}, {0, 0, 0, 3}, {0, 3, 2, 4}}));
 }

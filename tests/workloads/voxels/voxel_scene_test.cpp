@@ -31,7 +31,7 @@ Range share_of(const std::string& name) {
 }
 
 double filled_percent(const World& world) {
-  const Cell size = world.size();
+  const Cube size = world.size();
   return 100.0 * static_cast<double>(world.filled_count()) /
          (static_cast<double>(size.x) * size.y * size.z);
 }
@@ -40,13 +40,13 @@ template <class Visit>
 void for_each_cube(const World& world, const Visit& visit) {
   for (int z = 0; z < world.size().z; ++z)
     for (int y = 0; y < world.size().y; ++y)
-      for (int x = 0; x < world.size().x; ++x) visit(Cell{x, y, z});
+      for (int x = 0; x < world.size().x; ++x) visit(Cube{x, y, z});
 }
 
 bool same(const World& a, const World& b) {
   if (!(a.size() == b.size()) || a.palette != b.palette || a.margin != b.margin) return false;
   bool is_same = true;
-  for_each_cube(a, [&](Cell c) { is_same &= a.colour_number(c) == b.colour_number(c); });
+  for_each_cube(a, [&](Cube c) { is_same &= a.colour_number(c) == b.colour_number(c); });
   return is_same;
 }
 
@@ -112,7 +112,7 @@ TEST(VoxelScenes, HaveColours) {
   for (const VoxelScene* scene : voxel_scenes()) {
     const World world = scene->build(48, 1);
     std::set<World::Colour> colours;
-    for_each_cube(world, [&](Cell c) {
+    for_each_cube(world, [&](Cube c) {
       if (world.filled(c)) colours.insert(world.colour(c));
     });
     EXPECT_FALSE(colours.contains({})) << scene->name;
@@ -132,7 +132,7 @@ TEST(ScatteredScenes, KeepWhatIsOutsideOutOfSight) {
 TEST(ScatteredScenes, ContainThoseOfASmallerShare) {
   const World few = find_voxel_scene("scattered5").build(20, 4);
   const World many = find_voxel_scene("scattered40").build(20, 4);
-  for_each_cube(few, [&](Cell c) { EXPECT_LE(few.filled(c), many.filled(c)); });
+  for_each_cube(few, [&](Cube c) { EXPECT_LE(few.filled(c), many.filled(c)); });
 }
 
 TEST(FindVoxelScene, FindsEveryWorld) {

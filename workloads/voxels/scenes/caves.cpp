@@ -39,7 +39,7 @@ class Caves {
     const Vec3 column{static_cast<float>(x), 0.0f, static_cast<float>(z)};
     const float fold = 4.0f * folds_.at(column, 2);
     for (int y = 0; y <= top; ++y) {
-      const Cell c{x, y, z};
+      const Cube c{x, y, z};
       if (y < 2 || !is_hollow(middle_of(c))) builder_.fill(c, rock(c, top, fold));
     }
   }
@@ -54,7 +54,7 @@ class Caves {
     return a * a + b * b < kTunnelWidth;
   }
 
-  CubeMaterial rock(Cell c, int top, float fold) const {
+  CubeMaterial rock(Cube c, int top, float fold) const {
     if (c.y == top) return grass_;
     if (c.y + 3 > top) return soil_;
     const Vec3 p = middle_of(c);
@@ -74,7 +74,7 @@ class Caves {
     for (int j = 0; j < squares; ++j)
       for (int i = 0; i < squares; ++i) {
         const int side = size_ / squares;
-        const Cell square{i, 0, j};
+        const Cube square{i, 0, j};
         const int x = i * side + builder_.pick(square, kShaft, side / 4, side * 3 / 4);
         const int z = j * side + builder_.pick(square, kShaft + 1, side / 4, side * 3 / 4);
         sink_shaft(x, z, std::min(4, size_ / 12 + 1));
@@ -97,9 +97,9 @@ class Caves {
   /// Lava, moss on floors, and stones that hang from ceilings or stand below.
   void furnish(int x, int z) {
     for (int y = 2; y < builder_.size().y; ++y) {
-      const Cell c{x, y, z};
+      const Cube c{x, y, z};
       if (builder_.filled(c)) continue;
-      const Cell below{x, y - 1, z}, above{x, y + 1, z};
+      const Cube below{x, y - 1, z}, above{x, y + 1, z};
       const bool has_roof = builder_.filled(above) && !builder_.is(above, lava_material_);
       if (y <= lava_)
         builder_.fill(c, lava_material_);
@@ -110,12 +110,12 @@ class Caves {
     }
   }
 
-  bool is_floor(Cell c) const {
+  bool is_floor(Cube c) const {
     return builder_.filled(c) && !builder_.is(c, lava_material_) && !builder_.is(c, grass_) &&
            !builder_.is(c, dripstone_);
   }
 
-  void hang(Cell c, int cubes) {
+  void hang(Cube c, int cubes) {
     for (int i = 0; i < cubes && c.y - i > lava_ && !builder_.filled({c.x, c.y - i, c.z}); ++i)
       builder_.fill({c.x, c.y - i, c.z}, dripstone_);
   }

@@ -73,7 +73,7 @@ class Hills {
     int depth = 0;
     CubeMaterial beneath = soil_;
     for (int y = builder_.size().y - 1; y >= 0; --y) {
-      const Cell c{x, y, z};
+      const Cube c{x, y, z};
       if (!builder_.filled(c)) {
         depth = 0;
         if (y <= water_) builder_.fill(c, water_material_);
@@ -89,13 +89,13 @@ class Hills {
     }
   }
 
-  bool is_steep(Cell c) {
+  bool is_steep(Cube c) {
     const float dx = height_at(c.x + 1, c.z) - height_at(c.x - 1, c.z);
     const float dz = height_at(c.x, c.z + 1) - height_at(c.x, c.z - 1);
     return dx * dx + dz * dz > 4.5f;
   }
 
-  CubeMaterial surface(Cell c) {
+  CubeMaterial surface(Cube c) {
     const int ragged = builder_.pick(c, kRock, 0, 2);
     if (c.y <= water_ + 1) return sand_;
     if (static_cast<float>(c.y - ragged) > level_ + 0.34f * relief()) return snow_;
@@ -108,20 +108,20 @@ class Hills {
     constexpr int kSquare = 6;
     for (int z = 0; z < size_; z += kSquare)
       for (int x = 0; x < size_; x += kSquare) {
-        const Cell square{x, 0, z};
-        const Cell place{x + builder_.pick(square, kTree, 1, kSquare - 1), 0,
+        const Cube square{x, 0, z};
+        const Cube place{x + builder_.pick(square, kTree, 1, kSquare - 1), 0,
                          z + builder_.pick(square, kTree + 1, 1, kSquare - 1)};
         const float wood = woods_.at(middle_of(place));
         if (builder_.chance(square, kTree + 2) < 0.13f + 1.5f * wood) plant_at(place);
       }
   }
 
-  void plant_at(Cell place) {
+  void plant_at(Cube place) {
     int y = builder_.size().y - 1;
     while (y > 0 && !builder_.filled({place.x, y, place.z})) --y;
-    const Cell ground{place.x, y, place.z};
+    const Cube ground{place.x, y, place.z};
     if (!builder_.is(ground, grass_) && !builder_.is(ground, meadow_)) return;
-    const Cell root{place.x, y + 1, place.z};
+    const Cube root{place.x, y + 1, place.z};
     const bool is_high = static_cast<float>(y) > level_ + 0.12f * relief();
     if (is_high)
       plant_fir(builder_, root, builder_.pick(root, kTree + 3, 5, 9), fir_);

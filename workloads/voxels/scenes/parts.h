@@ -36,10 +36,10 @@ class NoiseField {
 /// Random numbers are those of a seed, a place and a use, whatever was asked for before.
 class WorldBuilder {
  public:
-  WorldBuilder(Cell size, std::uint64_t seed) : world_(size), seed_(mix64(seed)) {}
+  WorldBuilder(Cube size, std::uint64_t seed) : world_(size), seed_(mix64(seed)) {}
 
   World take() { return std::move(world_); }
-  Cell size() const { return world_.size(); }
+  Cube size() const { return world_.size(); }
 
   /// A material about a colour; `contrast` is how much lighter the lightest shade is than it.
   CubeMaterial material(World::Colour colour, float contrast = 0.06f) {
@@ -57,44 +57,44 @@ class WorldBuilder {
     return made;
   }
 
-  bool filled(Cell c) const { return world_.filled(c); }
-  bool is(Cell c, CubeMaterial m) const {
+  bool filled(Cube c) const { return world_.filled(c); }
+  bool is(Cube c, CubeMaterial m) const {
     return world_.contains(c) && world_.colour_number(c) >= m.first &&
            world_.colour_number(c) < m.first + m.shades;
   }
 
-  void fill(Cell c, CubeMaterial m) {
+  void fill(Cube c, CubeMaterial m) {
     if (world_.contains(c))
       world_.fill(c, static_cast<std::uint8_t>(m.first + random(c, kShade) % m.shades));
   }
-  void clear(Cell c) {
+  void clear(Cube c) {
     if (world_.contains(c)) world_.fill(c, 0);
   }
   /// Calls visit(cube) for those from `low` to `high`, both included.
   template <class Visit>
-  static void for_box(Cell low, Cell high, const Visit& visit) {
+  static void for_box(Cube low, Cube high, const Visit& visit) {
     for (int z = low.z; z <= high.z; ++z)
       for (int y = low.y; y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x) visit(Cell{x, y, z});
+        for (int x = low.x; x <= high.x; ++x) visit(Cube{x, y, z});
   }
-  void fill_box(Cell low, Cell high, CubeMaterial m) {
-    for_box(low, high, [&](Cell c) { fill(c, m); });
+  void fill_box(Cube low, Cube high, CubeMaterial m) {
+    for_box(low, high, [&](Cube c) { fill(c, m); });
   }
-  void clear_box(Cell low, Cell high) {
-    for_box(low, high, [&](Cell c) { clear(c); });
+  void clear_box(Cube low, Cube high) {
+    for_box(low, high, [&](Cube c) { clear(c); });
   }
 
   /// 64 random bits. Scenes number their uses from 0.
-  std::uint64_t random(Cell c, int use) const {
+  std::uint64_t random(Cube c, int use) const {
     const std::uint64_t place = static_cast<std::uint64_t>(c.x) << 40 ^
                                 static_cast<std::uint64_t>(c.y) << 20 ^
                                 static_cast<std::uint64_t>(c.z);
     return mix64(mix64(seed_ + static_cast<std::uint64_t>(use + 1)) ^ place);
   }
   /// Uniform in [0, 1).
-  float chance(Cell c, int use) const { return unit_float(random(c, use)); }
+  float chance(Cube c, int use) const { return unit_float(random(c, use)); }
   /// A number from `low` to `high`, both included. Requires that low <= high.
-  int pick(Cell c, int use, int low, int high) const {
+  int pick(Cube c, int use, int low, int high) const {
     return low + static_cast<int>(random(c, use) % static_cast<std::uint64_t>(high - low + 1));
   }
   /// Different for different seeds and uses.
@@ -114,7 +114,7 @@ class WorldBuilder {
 };
 
 /// The middle of a cube.
-inline Vec3 middle_of(Cell c) {
+inline Vec3 middle_of(Cube c) {
   return Vec3{static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)} +
          Vec3{0.5f, 0.5f, 0.5f};
 }
@@ -124,12 +124,12 @@ struct TreeMaterials {
 };
 
 /// A tree with a round crown; `root` is the lowest cube of the trunk. Uses random numbers of `use`.
-inline void plant_round_tree(WorldBuilder& builder, Cell root, int trunk_cubes, int crown_radius,
+inline void plant_round_tree(WorldBuilder& builder, Cube root, int trunk_cubes, int crown_radius,
                              TreeMaterials m, int use) {
-  const Cell crown{root.x, root.y + trunk_cubes + crown_radius - 1, root.z};
+  const Cube crown{root.x, root.y + trunk_cubes + crown_radius - 1, root.z};
   const int r = crown_radius;
-  WorldBuilder::for_box({-r, -r, -r}, {r, r, r}, [&](Cell d) {
-    const Cell c{crown.x + d.x, crown.y + d.y, crown.z + d.z};
+  WorldBuilder::for_box({-r, -r, -r}, {r, r, r}, [&](Cube d) {
+    const Cube c{crown.x + d.x, crown.y + d.y, crown.z + d.z};
     const int distance2 = d.x * d.x + d.y * d.y + d.z * d.z;
     const bool is_inside = distance2 < r * r;
     // The rim is frayed.
@@ -140,13 +140,13 @@ inline void plant_round_tree(WorldBuilder& builder, Cell root, int trunk_cubes, 
 }
 
 /// A fir: rings of branches that get narrower towards the top.
-inline void plant_fir(WorldBuilder& builder, Cell root, int cubes, TreeMaterials m) {
+inline void plant_fir(WorldBuilder& builder, Cube root, int cubes, TreeMaterials m) {
   const int top = root.y + cubes;
   for (int y = root.y + 2; y <= top; ++y) {
     const int below_top = top - y;
     const int r = std::min(3, (below_top + 1) / 3 + below_top % 2);
-    WorldBuilder::for_box({-r, 0, -r}, {r, 0, r}, [&](Cell d) {
-      const Cell c{root.x + d.x, y, root.z + d.z};
+    WorldBuilder::for_box({-r, 0, -r}, {r, 0, r}, [&](Cube d) {
+      const Cube c{root.x + d.x, y, root.z + d.z};
       if (d.x * d.x + d.z * d.z <= r * r + 1 && !builder.filled(c) && (r > 0 || d.x + d.z == 0))
         builder.fill(c, m.leaves);
     });

@@ -20,7 +20,7 @@ inline World scattered_world(int asked_cubes, std::uint64_t seed, int percent) {
   const CubeMaterial cold[] = {builder.material({58, 92, 140}), builder.material({84, 140, 160}),
                                builder.material({176, 200, 196})};
   const NoiseField warmth = builder.field(12.0f, kTint);
-  WorldBuilder::for_box({0, 0, 0}, {size_cubes - 1, size_cubes - 1, size_cubes - 1}, [&](Cell c) {
+  WorldBuilder::for_box({0, 0, 0}, {size_cubes - 1, size_cubes - 1, size_cubes - 1}, [&](Cube c) {
     if (builder.random(c, kFilled) % 100 >= static_cast<std::uint64_t>(percent)) return;
     const auto& tints = warmth.at(middle_of(c)) > 0.0f ? warm : cold;
     builder.fill(c, tints[builder.random(c, kTint) % 3]);

@@ -39,17 +39,17 @@ class Stones {
   }
 
   void place(int stone, float radius) {
-    const Cell id{stone, 0, 0};
+    const Cube id{stone, 0, 0};
     const auto along = [&](int axis) { return builder_.pick(id, kPlace + axis, 0, size_ - 1); };
-    const Cell centre{along(0), along(1), along(2)};
+    const Cube centre{along(0), along(1), along(2)};
     if (radius > 2.5f)
       float_island(centre, radius);
     else
       float_stone(centre, radius, rocks_[builder_.random(id, kKind) % rocks_.size()]);
   }
 
-  void fill(Cell c, CubeMaterial m) {
-    const Cell size = builder_.size();
+  void fill(Cube c, CubeMaterial m) {
+    const Cube size = builder_.size();
     const bool is_inside =
         c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x < size.x && c.y < size.y && c.z < size.z;
     if (is_inside && !builder_.filled(c)) ++filled_;
@@ -57,26 +57,26 @@ class Stones {
   }
 
   /// How far from the middle, in radii, with some roughness.
-  float reach(Cell c, Vec3 from_centre, float radius) const {
+  float reach(Cube c, Vec3 from_centre, float radius) const {
     const float rough = roughness_.at(middle_of(c));
     return length(from_centre) / radius + 0.25f * rough;
   }
 
-  void float_stone(Cell centre, float radius, CubeMaterial m) {
+  void float_stone(Cube centre, float radius, CubeMaterial m) {
     fill(centre, m);
     const auto r = static_cast<int>(radius + 1.0f);
-    WorldBuilder::for_box({-r, -r, -r}, {r, r, r}, [&](Cell d) {
-      const Cell c{centre.x + d.x, centre.y + d.y, centre.z + d.z};
+    WorldBuilder::for_box({-r, -r, -r}, {r, r, r}, [&](Cube d) {
+      const Cube c{centre.x + d.x, centre.y + d.y, centre.z + d.z};
       const Vec3 p{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
       if (reach(c, p, radius) < 1.0f) fill(c, m);
     });
   }
 
   /// Flat and green above, pointed below.
-  void float_island(Cell centre, float radius) {
+  void float_island(Cube centre, float radius) {
     const auto r = static_cast<int>(radius + 1.0f);
-    WorldBuilder::for_box({-r, -2 * r, -r}, {r, 1, r}, [&](Cell d) {
-      const Cell c{centre.x + d.x, centre.y + d.y, centre.z + d.z};
+    WorldBuilder::for_box({-r, -2 * r, -r}, {r, 1, r}, [&](Cube d) {
+      const Cube c{centre.x + d.x, centre.y + d.y, centre.z + d.z};
       const auto up = static_cast<float>(d.y);
       const float taper = d.y > 0 ? 2.6f : 0.55f;
       const Vec3 p{static_cast<float>(d.x), taper * up, static_cast<float>(d.z)};
@@ -87,17 +87,17 @@ class Stones {
   }
 
   /// Grass where there is soil below the open, and a tree on large islands.
-  void grow(Cell centre, int r) {
-    WorldBuilder::for_box({-r, 0, -r}, {r, 1, r}, [&](Cell d) {
-      const Cell c{centre.x + d.x, centre.y + d.y, centre.z + d.z};
+  void grow(Cube centre, int r) {
+    WorldBuilder::for_box({-r, 0, -r}, {r, 1, r}, [&](Cube d) {
+      const Cube c{centre.x + d.x, centre.y + d.y, centre.z + d.z};
       if (builder_.is(c, soil_) && !builder_.filled({c.x, c.y + 1, c.z})) fill(c, grass_);
     });
-    Cell root{centre.x, centre.y, centre.z};
+    Cube root{centre.x, centre.y, centre.z};
     while (root.y <= centre.y + 2 && builder_.filled(root)) ++root.y;
     if (r >= 5 && builder_.is({root.x, root.y - 1, root.z}, grass_)) plant(root);
   }
 
-  void plant(Cell root) {
+  void plant(Cube root) {
     plant_round_tree(builder_, root, 2, 2, tree_, kTree);
     constexpr int kTreeCubes = 30;  // About: what is said of the share of filled cubes is, too.
     filled_ += kTreeCubes;

@@ -75,7 +75,7 @@ class Town {
     slab(all, kGround - 1, cobble_);
   }
 
-  void build_lot(Cell lot, const Area& area) {
+  void build_lot(Cube lot, const Area& area) {
     const bool is_middle = lots_ >= 2 && lot.x == lots_ / 2 && lot.z == lots_ / 2;
     const auto kind = builder_.random(lot, kLot) % 20;
     slab(area, kGround - 1, is_middle || kind == 17 || kind == 18 ? flags_ : grass_);
@@ -94,7 +94,7 @@ class Town {
   // Houses
 
   /// The part of a lot that a house stands on, along a street.
-  Area footprint(Cell lot, const Area& area) const {
+  Area footprint(Cube lot, const Area& area) const {
     const int width = std::min(area.width() - 2, builder_.pick(lot, kWhere, 7, 11));
     const int depth = std::min(area.depth() - 2, builder_.pick(lot, kWhere + 1, 6, 9));
     const int x0 = area.x0 + 1 + builder_.pick(lot, kWhere + 2, 0, area.width() - 2 - width);
@@ -102,7 +102,7 @@ class Town {
     return {x0, z0, x0 + width - 1, z0 + depth - 1};
   }
 
-  void build_house(Cell lot, const Area& area) {
+  void build_house(Cube lot, const Area& area) {
     const Area a = footprint(lot, area);
     const CubeMaterial wall = plaster_[builder_.random(lot, kStyle) % plaster_.size()];
     const CubeMaterial roof = tiles_[builder_.random(lot, kStyle + 1) % tiles_.size()];
@@ -156,10 +156,10 @@ class Town {
     }
   }
 
-  void plant_garden(Cell lot, const Area& area, const Area& house) {
+  void plant_garden(Cube lot, const Area& area, const Area& house) {
     const Area garden = area.inset(1);
     for_area(garden, [&](int x, int z) {
-      const Cell root{x, kGround, z};
+      const Cube root{x, kGround, z};
       const bool is_clear =
           x < house.x0 - 2 || x > house.x1 + 2 || z < house.z0 - 2 || z > house.z1 + 2;
       if (is_clear && x % 3 == 1 && z % 3 == 1 && builder_.chance(root, kTree) < 0.7f)
@@ -179,14 +179,14 @@ class Town {
 
   // Lots without houses
 
-  void plant_park(Cell lot, const Area& area) {
+  void plant_park(Cube lot, const Area& area) {
     plant_hedge(area);
     const Area pond = area.inset(area.width() / 3);
     slab(pond.inset(-1), kGround - 1, flags_);
     builder_.clear_box({pond.x0, kGround - 1, pond.z0}, {pond.x1, kGround - 1, pond.z1});
     slab(pond, kGround - 2, water_);
     for_area(area.inset(2), [&](int x, int z) {
-      const Cell root{x, kGround, z};
+      const Cube root{x, kGround, z};
       if (!builder_.is({x, kGround - 1, z}, grass_) || (x + z) % 2 != 0) return;
       if (builder_.chance(root, kTree) > 0.12f) return;
       if (builder_.random(lot, kTree) % 3 == 0)
@@ -221,7 +221,7 @@ class Town {
   }
 
   /// A nave with a tower before it.
-  void build_church(Cell lot, const Area& area) {
+  void build_church(Cube lot, const Area& area) {
     const int middle = (area.z0 + area.z1) / 2;
     const Area nave{area.x0 + 4, middle - 3, area.x1, middle + 3};
     constexpr int kNave = 6;
@@ -256,7 +256,7 @@ class Town {
   }
 
   /// A round keep with battlements, hollow, with slits.
-  void build_keep(Cell lot, const Area& area) {
+  void build_keep(Cube lot, const Area& area) {
     const int x = (area.x0 + area.x1) / 2, z = (area.z0 + area.z1) / 2;
     const int most = std::max(7, builder_.size().y - kGround - 4);
     const int top = kGround + std::min(most, builder_.pick(lot, kStyle, 10, 17));

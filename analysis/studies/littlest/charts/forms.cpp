@@ -28,6 +28,17 @@ DataFrame winners(const ReportView& view) {
   return frame;
 }
 
+/// Programs have the same colours in both charts (Okabe and Ito 2008).
+nlohmann::ordered_json colours_of_programs(const Report& report) {
+  constexpr std::string_view kColours[] = {"#0072b2", "#e69f00", "#009e73", "#d55e00",
+                                           "#cc79a7", "#56b4e9", "#888888"};
+  auto scale = nlohmann::ordered_json{{"domain", kernels_of(report)},
+                                      {"range", nlohmann::ordered_json::array()}};
+  for (std::size_t i = 0; i < scale["domain"].size(); ++i)
+    scale["range"].push_back(kColours[i % std::size(kColours)]);
+  return scale;
+}
+
 constexpr std::string_view kWinners = R"json({
   "width": 560, "height": {"step": 34},
   "encoding": {
@@ -65,14 +76,17 @@ constexpr std::string_view kOverFill = R"json({
 std::vector<SectionBlock> build(const ReportView& view) {
   const Report& report = view.report();
   if (programs_of(report).empty()) return {};
+  auto winners_spec = spec_from(kWinners, report), fill_spec = spec_from(kOverFill, report);
+  winners_spec["layer"][0]["encoding"]["color"]["scale"] = colours_of_programs(report);
+  fill_spec["encoding"]["color"]["scale"] = colours_of_programs(report);
   return {Chart{"winners",
                 "The program that needs the fewest instructions for an octant, and how many.",
-                spec_from(kWinners, report),
+                std::move(winners_spec),
                 winners(view),
                 {pick_of_facet()}},
           Chart{"fill",
                 "Instructions for each octant over how full the world is; scattered cubes.",
-                spec_from(kOverFill, report),
+                std::move(fill_spec),
                 costs_over_fill(view),
                 {pick_of_facet(), pick_of_lanes(report)}}};
 }
