@@ -88,9 +88,7 @@ class Resolution {
     else if (const auto own = arguments_.defaults.find(kKernel); own != arguments_.defaults.end())
       for (const Value& name : own->second) choose(name);
     else
-      chosen = usual_kernels(kind_asked_for());
-    if (argument.text.empty() && !arguments_.several)
-      return {arguments_.takes_last_kernel ? chosen.back() : chosen.front()};
+      chosen = default_kernels(arguments_, kind_asked_for());
     return chosen;
   }
 
@@ -188,27 +186,29 @@ class Resolution {
     return axes;
   }
 
-  /// Of the parameters of the kernel, and its width. Widths that are asked for are of kernels that
-  /// have lanes: a scalar one beside them runs as it is.
+  /// Of the parameters of the kernel, and its width.
   std::vector<ParameterAxis> axes_of(const Kernel& kernel) const {
     std::vector<const Parameter*> parameters = pointers(kernel.parameters);
     const Parameter* const width = find_parameter(kWidth);
-    const bool is_beside_others =
-        kernel.most_width == 1 && std::any_of(kernels_.begin(), kernels_.end(),
-                                              [](const Kernel* k) { return k->most_width > 1; });
-    if (is_beside_others) {
-      std::vector<ParameterAxis> axes = axes_of(parameters);
-      axes.push_back(single_axis(kWidth, {std::uint64_t{1}}));
-      return axes;
+    const bool is_given =
+        !text_of(arguments_, width->words.option).empty() || arguments_.defaults.contains(kWidth);
+    if (is_given && !is_scalar_beside_others(kernel)) {
+      parameters.push_back(width);
+      return axes_of(parameters);
     }
-    parameters.push_back(width);
     std::vector<ParameterAxis> axes = axes_of(parameters);
-    if (text_of(arguments_, width->words.option).empty() && !arguments_.defaults.contains(kWidth)) {
-      std::vector<std::uint64_t> widths = usual_widths(kernel);
-      if (!arguments_.several) widths.resize(1);
-      axes.push_back(single_axis(kWidth, {widths.begin(), widths.end()}));
-    }
+    std::vector<std::uint64_t> widths = usual_widths(kernel);
+    if (!arguments_.several) widths.resize(1);
+    axes.push_back(single_axis(kWidth, {widths.begin(), widths.end()}));
     return axes;
+  }
+
+  /// Widths that are asked for are of kernels that have lanes: a scalar one beside them runs as it
+  /// is.
+  bool is_scalar_beside_others(const Kernel& kernel) const {
+    return kernel.most_width == 1 &&
+           std::any_of(kernels_.begin(), kernels_.end(),
+                       [](const Kernel* other) { return other->most_width > 1; });
   }
 
   /// Values that a scene or a kernel does not have leave configurations equal.
@@ -226,6 +226,13 @@ class Resolution {
 };
 
 }  // namespace
+
+std::vector<const Kernel*> default_kernels(const ExperimentArguments& arguments,
+                                           const Workload& workload) {
+  const std::vector<const Kernel*> usual = usual_kernels(workload);
+  if (arguments.several) return usual;
+  return {arguments.takes_last_kernel ? usual.back() : usual.front()};
+}
 
 std::vector<std::string> scenes_of_word(std::string_view word, const Workload& workload) {
   if (word == kAllScenes) return names_of(workload.scenes);

@@ -53,6 +53,11 @@ void add_threads_option(CommandOptions& options, std::string& text);
 /// apply to no scene.
 std::vector<Configuration> resolve_configurations(const ExperimentArguments& arguments);
 
+/// The kernels of a kind of work that a command runs if it has no kernels of its own and none is
+/// named.
+std::vector<const Kernel*> default_kernels(const ExperimentArguments& arguments,
+                                           const Workload& workload);
+
 /// The scenes that a word stands for: `all`, or the group of a study of this kind of work; none if
 /// it stands for none.
 std::vector<std::string> scenes_of_word(std::string_view word, const Workload& workload);

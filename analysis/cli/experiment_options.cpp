@@ -51,13 +51,12 @@ std::string default_of(const ExperimentArguments& arguments, const Parameter& pa
   std::vector<std::string> texts;
   const auto add_all = [&](const auto& values) {
     for (const auto& value : values) texts.push_back(value_text(Value(value)));
-    if (arguments.several) return;
-    texts = {arguments.takes_last_kernel ? texts.back() : texts.front()};
+    if (!arguments.several) texts.resize(1);
   };
   if (const auto own = arguments.defaults.find(parameter.name()); own != arguments.defaults.end())
     add_all(own->second);
   else if (parameter.name() == kKernel)
-    add_all(names_of(usual_kernels()));
+    add_all(names_of(default_kernels(arguments, usual_workload())));
   else if (parameter.name() == kWidth)
     add_all(usual_widths(*usual_kernels().front()));
   else if (parameter.name() == kScene)

@@ -39,10 +39,7 @@ std::string own_format(const Study& study) { return study.figures ? "json" : "";
 bool takes(const Study& study, std::string_view parameter) {
   const Workload* const workload = find_kernel(study.kernels.front()).workload;
   return std::any_of(kernels().begin(), kernels().end(), [&](const Kernel* kernel) {
-    if (kernel->workload != workload) return false;
-    const std::vector<Parameter> own = parameters_of(*kernel);
-    return std::any_of(own.begin(), own.end(),
-                       [&](const Parameter& p) { return p.name() == parameter; });
+    return kernel->workload == workload && lanescope::takes(*kernel, parameter);
   });
 }
 

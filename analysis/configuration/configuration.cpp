@@ -110,14 +110,16 @@ const Parameter* find_parameter(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+bool takes(const Kernel& kernel, std::string_view parameter) {
+  const std::vector<Parameter> all = parameters_of(kernel);
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Parameter& p) { return p.name() == parameter; });
+}
+
 std::string takers_of(std::string_view parameter) {
   std::vector<std::string> takers;
-  for (const Kernel* kernel : kernels()) {
-    const auto parameters = parameters_of(*kernel);
-    if (std::any_of(parameters.begin(), parameters.end(),
-                    [&](const Parameter& p) { return p.name() == parameter; }))
-      takers.emplace_back(kernel->name);
-  }
+  for (const Kernel* kernel : kernels())
+    if (takes(*kernel, parameter)) takers.emplace_back(kernel->name);
   if (takers.size() == kernels().size()) return "every kernel";
   return list_and(takers);
 }

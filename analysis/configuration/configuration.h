@@ -49,6 +49,9 @@ const std::vector<Parameter>& all_parameters();
 /// The parameter of that name among those of all kernels, or null.
 const Parameter* find_parameter(std::string_view name);
 
+/// Whether runs of a kernel have the parameter of that name.
+bool takes(const Kernel& kernel, std::string_view parameter);
+
 /// The names of the kernels that take a parameter; `every kernel` if all do.
 std::string takers_of(std::string_view parameter);
 

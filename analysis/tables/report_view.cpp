@@ -38,6 +38,15 @@ std::size_t place_of_facet(const Series& series) {
                                   choices.begin());
 }
 
+/// The widths of some runs, ascending.
+template <class Predicate>
+std::vector<int> widths_where(const Report& report, const Predicate& predicate) {
+  std::set<int> widths;
+  for (const RunRecord& run : report.runs)
+    if (predicate(run)) widths.insert(run.configuration.width);
+  return {widths.begin(), widths.end()};
+}
+
 }  // namespace
 
 ReportView::ReportView(const Report& report) : ReportView(report, scenes_of(report)) {}
@@ -173,19 +182,6 @@ std::vector<Series> series_of(const Report& report) {
   }
   return all;
 }
-
-namespace {
-
-/// The widths of some runs, ascending.
-template <class Predicate>
-std::vector<int> widths_where(const Report& report, const Predicate& predicate) {
-  std::set<int> widths;
-  for (const RunRecord& run : report.runs)
-    if (predicate(run)) widths.insert(run.configuration.width);
-  return {widths.begin(), widths.end()};
-}
-
-}  // namespace
 
 std::vector<int> widths_of(const Report& report) {
   return widths_where(report, [](const RunRecord&) { return true; });

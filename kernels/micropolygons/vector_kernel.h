@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "kernels/kernel.h"
+#include "kernels/make_machine.h"
 #include "kernels/micropolygons/options.h"
 #include "kernels/micropolygons/setup.h"
 
@@ -16,15 +17,6 @@ struct ProgramOptions {
   KernelOptions kernel;
   Frame* frame;
 };
-
-/// The machine that a launch asks for. Requires one of Vm's modes.
-template <class Vm>
-Vm make_machine(const Launch& launch, std::size_t stage_count) {
-  if constexpr (requires { Vm(launch.width, stage_count, launch.mode, launch.observer); })
-    return Vm(launch.width, stage_count, launch.mode, launch.observer);
-  else
-    return Vm(launch.width, stage_count);
-}
 
 /// An execution of Program<Vm, P, E>, a class with
 ///   static constexpr std::size_t kStageCount, kCounterCount;

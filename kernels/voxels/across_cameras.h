@@ -17,7 +17,6 @@ class AcrossCameras {
       : vm_(vm), samples_(program.samples), cubes_(program.cubes), sink_(sink) {}
 
   void render(const BrickMemory& brick, Memory<float> harmonics) {
-    using namespace isa;
     Sites sites(vm_);
     for (int first = 0; first < brick.size(); first += vm_.width()) {
       vm_.begin_batch();
@@ -35,7 +34,9 @@ class AcrossCameras {
         });
         add_octant(sites, open, octant, sums);
       }
-      finish(sites, valid, sums, first, harmonics);
+      auto on = sites.finishing.on(valid);
+      store_harmonics(on, samples_, harmonics, first,
+                      [&](auto h) LANESCOPE_INLINE_LAMBDA { return sums.of[h]; });
     }
   }
 
@@ -138,16 +139,6 @@ class AcrossCameras {
       Int& sum = sums.of[h];
       sum = move(on, is_negative(h, octant) ? sub(on, sum, seen.of[h]) : add(on, sum, seen.of[h]),
                  sum);
-    });
-  }
-
-  void finish(Sites& sites, Lanes valid, const HarmonicVectors<Vm>& sums, int first,
-              Memory<float> harmonics) {
-    using namespace isa;
-    auto on = sites.finishing.on(valid);
-    const auto place = mul(on, add(on, lane_index(on), first), kHarmonics);
-    host::unroll<kHarmonics>([&](auto h) LANESCOPE_INLINE_LAMBDA {
-      store_harmonic<Vm>(on, samples_, harmonics, h, place, sums.of[h]);
     });
   }
 

@@ -11,8 +11,9 @@
 namespace lanescope {
 namespace {
 
-/// Probes of a built-in world: about six for each cube of its floor in the worst case, caves.
-constexpr std::uint64_t kProbesPerFloorCube = 6;
+/// At most one corner in so many of a cube of the world's length is a probe: caves have the most,
+/// one in four of 24 x 24 x 24, one in eight of larger worlds.
+constexpr std::uint64_t kCornersPerProbe = 4;
 constexpr int kSizeOfUnknown = 256;
 
 }  // namespace
@@ -43,7 +44,7 @@ std::unique_ptr<Output> open_probe_field(const Arguments& /*arguments*/, const S
 std::uint64_t probe_field_bytes(const Arguments& arguments) {
   const auto size = static_cast<std::uint64_t>(
       decoded(world_parameters(), arguments).size_cubes.value_or(kSizeOfUnknown));
-  return kProbesPerFloorCube * size * size * sizeof(Harmonics);
+  return size * size * size / kCornersPerProbe * sizeof(Harmonics);
 }
 
 }  // namespace lanescope

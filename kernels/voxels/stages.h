@@ -104,28 +104,29 @@ struct HarmonicSums {
   Buffer<std::int32_t> sums;
 };
 
-/// From a sum to a harmonic in the output. `place` is kHarmonics times the probe's place there.
-template <class Vm, class On>
-LANESCOPE_INLINE void store_harmonic(On& on, const SkySamples& samples, Memory<float> harmonics,
-                                     int h, const typename Vm::Int& place,
-                                     const typename Vm::Int& sum) {
+/// From the sums of the probes first, first + 1 ... to harmonics in the output; `sum_of(h)` is that
+/// of harmonic h.
+template <class On, class SumOf>
+LANESCOPE_INLINE void store_harmonics(On& on, const SkySamples& samples, Memory<float> harmonics,
+                                      int first, const SumOf& sum_of) {
   using namespace isa;
-  const auto first = static_cast<std::size_t>(h);
-  scatter(on, harmonics.part(first, harmonics.size - first), place,
-          mul(on, convert_to_float(on, sum), static_cast<float>(samples.scale[first])));
+  const auto place = mul(on, add(on, lane_index(on), first), kHarmonics);
+  host::unroll<kHarmonics>([&](auto h) LANESCOPE_INLINE_LAMBDA {
+    const auto sum = convert_to_float(on, sum_of(h));
+    scatter(on, harmonics.part(h, harmonics.size - h), place,
+            mul(on, sum, static_cast<float>(samples.scale[h])));
+  });
 }
 
 /// The end of *Project*: from sums to harmonics, W probes at a time.
 template <class Vm>
 void finish_probes(Vm& vm, const SkySamples& samples, HarmonicSums& sums, int size,
                    Memory<float> harmonics) {
-  using namespace isa;
   auto finishing = vm.site(kProject);
   for (int first = 0; first < size; first += vm.width()) {
     auto on = finishing.on(vm.first_n(size - first));
-    const auto place = mul(on, add(on, lane_index(on), first), kHarmonics);
-    host::unroll<kHarmonics>([&](auto h) LANESCOPE_INLINE_LAMBDA {
-      store_harmonic<Vm>(on, samples, harmonics, h, place, load(on, sums.of(h), first));
+    store_harmonics(on, samples, harmonics, first, [&](auto h) LANESCOPE_INLINE_LAMBDA {
+      return isa::load(on, sums.of(h), first);
     });
   }
 }

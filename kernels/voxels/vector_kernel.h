@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/kernel.h"
+#include "kernels/make_machine.h"
 #include "kernels/voxels/counters.h"
 #include "kernels/voxels/cube_images.h"
 #include "kernels/voxels/options.h"
@@ -72,7 +73,7 @@ class ProbeExecution final : public Execution {
   explicit ProbeExecution(const Launch& launch)
       : field_(static_cast<ProbeField&>(launch.output)),
         options_(probe_options(launch.arguments)),
-        vm_(make_machine(launch)),
+        vm_(make_machine<Vm>(launch, Program<Vm>::kStageCount)),
         program_(vm_,
                  {sky_samples(projection_of(launch.arguments)),
                   cube_images(projection_of(launch.arguments)), options_},
@@ -93,14 +94,6 @@ class ProbeExecution final : public Execution {
   }
 
  private:
-  static Vm make_machine(const Launch& launch) {
-    constexpr std::size_t kStages = Program<Vm>::kStageCount;
-    if constexpr (requires { Vm(launch.width, kStages, launch.mode, launch.observer); })
-      return Vm(launch.width, kStages, launch.mode, launch.observer);
-    else
-      return Vm(launch.width, kStages);
-  }
-
   ProbeField& field_;
   ProbeOptions options_;
   Vm vm_;

@@ -91,6 +91,20 @@ std::vector<std::string> values_in(const Report& report, const std::vector<std::
   return all;
 }
 
+/// Widths are of kernels that have lanes, and the scene says which kernels run.
+TEST_F(EndToEnd, KernelsAndWidthsFollowFromWhatIsNamed) {
+  const auto runs_of = [&](const std::string& arguments) {
+    const std::string small = " --world-size 16 --mode uncounted --observe-every 0 --json -";
+    return values_in(parse_report(run("run " + arguments + small).output, "-"),
+                     {"kernel", "width_lanes"});
+  };
+  EXPECT_EQ(runs_of("--scene stones --kernel voxel_rays,across_cameras --width 8,24"),
+            (std::vector<std::string>{"voxel_rays 1", "across_cameras 8", "across_cameras 24"}));
+  EXPECT_EQ(runs_of("--scene stones --width 8"),
+            (std::vector<std::string>{"across_image 8", "across_cubes 8", "across_cameras 8",
+                                      "repacked_cameras 8"}));
+}
+
 TEST_F(EndToEnd, EveryParameterTakesAList) {
   const std::string uncounted = " --mode uncounted --observe-every 0 --json -";
   const auto report_of = [&](const std::string& arguments) {

@@ -54,7 +54,7 @@ std::string made_small(const std::string& arguments) {
   if (arguments.find("--world-size") != arguments.npos)
     return std::regex_replace(arguments, kWorldSize, " --world-size 16");
   if (is_study && help.find("--world-size") != help.npos)
-    return arguments + " --world-size 16 --width 8,24 --scene stones,scattered5";
+    return arguments + " --world-size 16 --width 8,24 --scene scattered1";
   if (help.find("--resolution") == help.npos) return arguments;
   return std::regex_replace(arguments, kResolution, "") + " --resolution 96x60";
 }

@@ -69,6 +69,14 @@ std::vector<Filled> filled_scenes(const Report& report) {
   return filled;
 }
 
+std::vector<std::string> scenes_and_filled(const ReportView& view) {
+  std::vector<std::string> scenes = view.scenes();
+  for (const Filled& filled : filled_scenes(view.report()))
+    if (std::find(scenes.begin(), scenes.end(), filled.scene) == scenes.end())
+      scenes.push_back(filled.scene);
+  return scenes;
+}
+
 std::optional<Winner> winner(const ReportView& scene, std::string_view projection, int width) {
   std::optional<Winner> best;
   const std::vector<Series> programs = programs_of(scene.report(), projection);

@@ -42,6 +42,9 @@ struct Filled {
 };
 std::vector<Filled> filled_scenes(const Report& report);
 
+/// The scenes of a view, and the scattered worlds of its report behind them; each once.
+std::vector<std::string> scenes_and_filled(const ReportView& view);
+
 /// The program that needs the fewest instructions for an octant; none unless all were run.
 struct Winner {
   Series series;

@@ -20,7 +20,8 @@ TEST_P(VoxelAgreement, WithTheReference) {
   const auto [scene, projection] = GetParam();
   // A world that is no multiple of a brick; some probes of each of its bricks.
   const World world = scene->build(37, 3);
-  const auto many = test::bricks_of(world, 31), few = test::bricks_of(world, 331);
+  const auto many = test::bricks_of(world, 31 * test::kTriedEvery);
+  const auto few = test::bricks_of(world, 331);
   test::expect_agreement(many, projection, {Mode::kCounting, Mode::kUncounted}, kAllWidths);
   test::expect_agreement(few, projection, {Mode::kChecked, Mode::kTracing}, {1, 7, 16, 33, 64});
 }

@@ -111,9 +111,9 @@ TEST(KnownImages, MegacubesBeginWhereTheReachEnds) {
 /// One cube in each of the 4096 places of an octant, each octant in turn.
 TEST(KnownImages, OneCubeInEachPlace) {
   std::vector<Brick> bricks;
-  for (int place = 0; place < kOctantCubes; ++place) {
+  for (int place = 0; place < kOctantCubes; place += test::kTriedEvery) {
     const int octant = (place + place / 16 + place / 256) % kOctants;
-    Brick brick = empty_brick(static_cast<std::uint64_t>(place), {{8, 8, 8}});
+    Brick brick = empty_brick(bricks.size(), {{8, 8, 8}});
     const auto at = [&](int axis, int away) { return octant >> axis & 1 ? 23 - away : 24 + away; };
     brick.fill({at(0, place % 16), at(1, place / 16 % 16), at(2, place / 256)});
     bricks.push_back(std::move(brick));

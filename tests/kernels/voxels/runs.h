@@ -12,6 +12,14 @@
 
 namespace lanescope::test {
 
+/// One probe or place of so many is tried: all, but where the sanitizers look for faults of memory,
+/// for which some do, at twenty times the time.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr int kTriedEvery = 7;
+#else
+inline constexpr int kTriedEvery = 1;
+#endif
+
 /// The vector programs of this kind of work.
 std::vector<const Kernel*> voxel_programs();
 

@@ -17,8 +17,7 @@ DataFrame winners(const ReportView& view) {
                    {"kernel", "Fewest instructions", ""},
                    {"cost", "Instr./octant", ".1f"}});
   const Report& report = view.report();
-  std::vector<std::string> scenes = view.scenes();
-  for (const Filled& filled : filled_scenes(report)) scenes.push_back(filled.scene);
+  const std::vector<std::string> scenes = scenes_and_filled(view);
   for (const std::string_view projection : {kFaces, kDirections})
     for (std::size_t i = 0; i < scenes.size(); ++i)
       for (const int width : machine_widths_of(report))

@@ -22,8 +22,7 @@ TableData build(const ReportView& view) {
   data.title = "Root mean square errors of harmonics and of light, against 4096 rays of each probe";
   data.caption = "each world by itself";
   data.row_header = "Error";
-  std::vector<std::string> scenes = view.scenes();
-  for (const Filled& filled : filled_scenes(report)) scenes.push_back(filled.scene);
+  const std::vector<std::string> scenes = scenes_and_filled(view);
   data.columns = scenes;
   for (const std::string_view projection : {kFaces, kDirections}) {
     if (!root_mean_square(ReportView(report, scenes.front()), projection, kRows[0].counter,

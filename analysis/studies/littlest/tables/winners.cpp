@@ -30,10 +30,8 @@ TableData build(const ReportView& view) {
   for (const std::string_view projection : {kFaces, kDirections}) {
     if (programs_of(report, projection).size() < 2) continue;
     data.rows.push_back({fmt::format("projection = {}", projection), {}});
-    for (const std::string& scene : view.scenes())
+    for (const std::string& scene : scenes_and_filled(view))
       data.rows.push_back(scene_row(report, scene, projection));
-    for (const Filled& filled : filled_scenes(report))
-      data.rows.push_back(scene_row(report, filled.scene, projection));
   }
   return data;
 }

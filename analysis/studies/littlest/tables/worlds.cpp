@@ -51,8 +51,7 @@ TableData build(const ReportView& view) {
   const std::vector<Series> programs = programs_of(report, kFaces);
   if (programs.empty()) return data;
   for (const Column& column : columns()) data.columns.emplace_back(column.header);
-  std::vector<std::string> scenes = view.scenes();
-  for (const Filled& filled : filled_scenes(report)) scenes.push_back(filled.scene);
+  const std::vector<std::string> scenes = scenes_and_filled(view);
   for (const std::string& scene : scenes) {
     const ReportView one(report, scene);
     const std::vector<int> widths = one.widths(programs.front());

@@ -118,6 +118,12 @@ TEST(LittlestTables, NameTheProgramOfTheFewestInstructions) {
   EXPECT_EQ(cell(data, "projection = directions", "scattered20", 0), "ACROSS_IMAGE 20.7");
 }
 
+/// Also in a table of one scattered world by itself.
+TEST(LittlestTables, HaveEachWorldOnce) {
+  const ReportView view(report(), std::string("scattered5"));
+  EXPECT_EQ(scenes_and_filled(view), (std::vector<std::string>{"scattered5", "scattered20"}));
+}
+
 TEST(LittlestTables, HaveWhatTheConversionTakes) {
   const TableData data = table("project");
   const std::string image = "ACROSS_IMAGE, projection = faces";
