@@ -8,12 +8,11 @@
 #include <cstdlib>
 #include <vector>
 
+#include "benchmarks/packets.h"
 #include "benchmarks/timing.h"
 #include "benchmarks/w1.h"
 #include "kernels/kernel.h"
 #include "kernels/micropolygons/frame.h"
-#include "workloads/micropolygons/surface_scene.h"
-#include "workloads/micropolygons/tessellator.h"
 
 namespace lanescope {
 namespace {
@@ -32,25 +31,8 @@ void measure_w1(w1::Triangles& triangles) {
   fmt::print("\n");
 }
 
-constexpr int kWidthPx = 480, kHeightPx = 300;
-
-/// The packets of a scene, kept: tessellation is not what is measured.
-std::vector<Packet> make_packets() {
-  const SurfaceScene& descriptor = find_surface_scene("ballroll");
-  const Scene scene = descriptor.build(descriptor.default_frame);
-  TessellationOptions options;
-  options.width_px = kWidthPx;
-  options.height_px = kHeightPx;
-  const Tessellator tessellator(scene, options);
-  std::vector<Packet> packets;
-  for (int segment = 0; segment < tessellator.segment_count(); ++segment)
-    tessellator.tessellate(segment,
-                           [&](const Packet& packet) { packets.push_back(packet.clone()); });
-  return packets;
-}
-
 void measure_kernel(const Kernel& kernel, int width, const std::vector<Packet>& packets) {
-  const SampleGrid grid(kWidthPx, kHeightPx, 4, true, 1);
+  const SampleGrid grid(benchmarks::kWidthPx, benchmarks::kHeightPx, 4, true, 1);
   Frame frame(grid);
   const Arguments defaults;
   const auto run = [&](Mode mode) {
@@ -78,7 +60,7 @@ int main(int argc, char** argv) {
     measure_w1<32>(triangles);
     measure_w1<64>(triangles);
   }
-  const auto packets = make_packets();
+  const auto packets = benchmarks::make_packets(Micropolygon::kTriangle);
   for (const char* name : {"lockstep", "repack"})
     if (is_wanted(name))
       for (const int width : {16, 32, 64}) measure_kernel(find_kernel(name), width, packets);

@@ -53,35 +53,60 @@ class HitSink {
   std::uint64_t hits_hash() const { return hits_hash_; }
 
   /// Takes the hits of one invocation: in each active lane i a sample with depth and colour, of the
-  /// micropolygon id_of(i).
-  template <int L, class IdOf>
+  /// micropolygon id_of(i). If kObserved, counts them as observe() does.
+  template <bool kObserved, int L, class IdOf>
   LANESCOPE_INLINE void take(Mask<L> active, IdOf&& id_of, const Vec<std::int32_t, L>& sample,
                              const Vec<float, L>& depth, const Vec<std::int32_t, L>& colour) {
     const auto samples = sample.lanes();
     const auto depths = depth.lanes();
     const auto colours = colour.lanes();
-    [[maybe_unused]] SampleFilter<L> seen;
-    std::uint64_t conflicts = 0;
+    [[maybe_unused]] ConflictSearch<L> search{active, sample};
     for_each_lane(active, [&](int lane) LANESCOPE_INLINE_LAMBDA {
       const auto i = static_cast<std::size_t>(lane);
       const auto at = static_cast<std::uint32_t>(samples[i]);
       hits_hash_ += hit_hash(id_of(i), at);
       frame_.merge(at, depths[i], static_cast<std::uint32_t>(colours[i]));
-      if constexpr (kCounted)
-        if (seen.insert(at)) [[unlikely]]
-          conflicts += is_conflict(active, sample, lane);
+      if constexpr (kObserved && kCounted) search.look(lane, at);
     });
+    if constexpr (kObserved && kCounted) count(active, search.conflicts);
+  }
+
+  /// Counts the hits of one invocation, whatever parts they are taken in.
+  template <int L>
+  void observe(Mask<L> active, const Vec<std::int32_t, L>& sample) {
     if constexpr (kCounted) {
-      counts_[kHits] += static_cast<std::uint64_t>(active.count());
-      counts_[kProcessIssued] += 1;
-      if (conflicts != 0) [[unlikely]] {
-        counts_[kConflictInvocations] += 1;
-        counts_[kConflictHits] += conflicts;
-      }
+      ConflictSearch<L> search{active, sample};
+      for_each_lane(active,
+                    [&](int lane) { search.look(lane, static_cast<std::uint32_t>(sample[lane])); });
+      count(active, search.conflicts);
     }
   }
 
  private:
+  /// Looks for lanes whose sample an earlier one has.
+  template <int L>
+  struct ConflictSearch {
+    Mask<L> active;
+    const Vec<std::int32_t, L>& sample;
+    SampleFilter<L> seen{};
+    std::uint64_t conflicts = 0;
+
+    LANESCOPE_INLINE void look(int lane, std::uint32_t at) {
+      if (seen.insert(at)) [[unlikely]]
+        conflicts += is_conflict(active, sample, lane);
+    }
+  };
+
+  template <int L>
+  LANESCOPE_INLINE void count(Mask<L> active, std::uint64_t conflicts) {
+    counts_[kHits] += static_cast<std::uint64_t>(active.count());
+    counts_[kProcessIssued] += 1;
+    if (conflicts != 0) [[unlikely]] {
+      counts_[kConflictInvocations] += 1;
+      counts_[kConflictHits] += conflicts;
+    }
+  }
+
   Frame& frame_;
   RasterizerCounts& counts_;
   std::uint64_t hits_hash_ = 0;
@@ -96,20 +121,20 @@ struct Hits {
 template <class Sink>
 Hits(Sink&, std::uint64_t) -> Hits<Sink>;
 
-/// The nearer fragment stays. Lane i holds micropolygon number i, or number[i]:
+/// The bodies of instructions by which the nearer fragment stays. Lane i holds micropolygon number
+/// i, or number[i]:
 ///
-///   frame_merge(on, hits, sample, depth, red, green, blue, alpha)
-///   frame_merge(on, hits, number, sample, depth, red, green, blue, alpha)
-struct FrameMerge {
-  static constexpr InstructionInfo kInfo{
-      "frame_merge", "depth test and colour write of sample[i], one lane after another",
-      InstructionClass::kSpecial};
-
+///   (on, hits, sample, depth, red, green, blue, alpha)
+///   (on, hits, number, sample, depth, red, green, blue, alpha)
+///
+/// kObserved: whether an execution is an invocation of *Process*, and counted as such.
+template <bool kObserved>
+struct FrameUpdate {
   template <int L, class Sink, class... Channels>
   LANESCOPE_INLINE static void apply(Mask<L> active, Hits<Sink> hits,
                                      const Vec<std::int32_t, L>& sample, const Vec<float, L>& depth,
                                      const Channels&... channels) {
-    hits.sink.take(
+    hits.sink.template take<kObserved>(
         active, [&](std::size_t i) { return hits.first_id + i; }, sample, depth,
         packed<L>(channels...));
   }
@@ -119,7 +144,7 @@ struct FrameMerge {
                                      const Vec<std::int32_t, L>& sample, const Vec<float, L>& depth,
                                      const Channels&... channels) {
     const auto numbers = number.lanes();
-    hits.sink.take(
+    hits.sink.template take<kObserved>(
         active,
         [&](std::size_t i) { return hits.first_id + static_cast<std::uint64_t>(numbers[i]); },
         sample, depth, packed<L>(channels...));
@@ -150,6 +175,13 @@ struct FrameMerge {
     });
     return r;
   }
+};
+
+/// Frame access as the thesis has it; see FrameUpdate.
+struct FrameMerge : FrameUpdate<true> {
+  static constexpr InstructionInfo kInfo{
+      "frame_merge", "depth test and colour write of sample[i], one lane after another",
+      InstructionClass::kSpecial};
 };
 inline constexpr Instruction<FrameMerge> frame_merge;
 

@@ -5,7 +5,9 @@
 
 #include <array>
 #include <string_view>
+#include <tuple>
 
+#include "kernels/micropolygons/steps.h"
 #include "kernels/micropolygons/vector_kernel.h"
 
 namespace lanescope {
@@ -14,16 +16,17 @@ namespace lanescope {
 inline constexpr std::array<std::string_view, 4> kLockstepStages{"Setup", "Bound", "Test",
                                                                  "Process"};
 
-template <class Vm, Micropolygon P, Edges E>
-class Lockstep {
+/// With the steps of `Steps`, which see in steps.h.
+template <class Vm, Micropolygon P, Edges E, class Steps>
+class BasicLockstep {
  public:
   enum Stage : std::size_t { kSetup, kBound, kTest, kProcess };
   static constexpr std::size_t kStageCount = kLockstepStages.size();
   static_assert(kProcess + 1 == kStageCount, "a stage has no name, or a name no stage");
   static constexpr std::size_t kCounterCount = kConflictHits + 1;
 
-  Lockstep(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts,
-           HitSink<Vm::kCounted>& sink)
+  BasicLockstep(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts,
+                HitSink<Vm::kCounted>& sink)
       : vm_(vm), cells_(options.frame->grid()), counts_(counts), sink_(sink) {}
 
   void rasterize(const PacketMemory<P>& packet, int size, std::uint64_t first_id) {
@@ -31,7 +34,7 @@ class Lockstep {
     auto bounding = vm_.site(kBound);
     auto testing = vm_.site(kTest);
     auto ruling = vm_.site(kTest);
-    auto processing = vm_.site(kProcess);
+    Processing processing(vm_);
 
     for (int first = 0; first < size; first += vm_.width()) {
       const auto valid = vm_.first_n(size - first);
@@ -49,22 +52,34 @@ class Lockstep {
       Lanes active = bounded.with_candidates;
       for (std::int32_t i = 1; i <= bounded.most_candidates; ++i) {
         const auto sample = at.sample;
+        Float px, py;
         EdgeValues<Vm, P> values;
         Coverage<Vm> coverage;
         Lanes unfinished;
         {
           auto on = testing.on(active);
-          const auto [px, py] = place_sample<Vm>(on, at.column, at.row, at.sample, cells_);
-          values = edge_values(on, batch.positions, bounded, px, py);
-          coverage = point_in_polygon<Vm, P>(on, values);
+          std::tie(px, py) = place_sample<Vm>(on, at.column, at.row, at.sample, cells_);
+          coverage = test(on, batch.positions, bounded, px, py, values);
           at = advance<Vm>(on, at, bounded.box.first_column, bounded.box.last_column,
                            bounded.box.row_step);
           unfinished = cmp_gt(on, bounded.box.candidates, i);
         }
-        if (coverage.any_on_edge) [[unlikely]]
+        const auto evaluate = [&](auto& on) LANESCOPE_INLINE_LAMBDA {
+          if constexpr (!kTestGivesValues)
+            values = inline_edges<Vm, P>(on, batch.positions, px, py);
+        };
+        if (coverage.any_on_edge) [[unlikely]] {
+          if constexpr (!kTestGivesValues) {
+            auto on = ruling.on(coverage.on_edge);
+            evaluate(on);
+          }
           add_owned_samples<Vm, P>(ruling, coverage, batch.positions, values);
-        if (coverage.any_inside)
-          process(processing, coverage.inside, hits, bounded, values, sample);
+        }
+        if (coverage.any_inside) {
+          auto on = processing.site.on(coverage.inside);
+          evaluate(on);
+          process(on, processing.merging, hits, bounded, values, sample);
+        }
         active = unfinished;
       }
     }
@@ -73,6 +88,16 @@ class Lockstep {
  private:
   using Float = typename Vm::Float;
   using Lanes = typename Vm::Lanes;
+  using EdgeTest = typename Steps::EdgeTest;
+  using FrameAccess = typename Steps::FrameAccess;
+  using MergingSites = typename FrameAccess::template Sites<Vm>;
+  static constexpr bool kTestGivesValues = E == Edges::kPrecomputed || EdgeTest::kGivesValues;
+
+  struct Processing {
+    explicit Processing(Vm& vm) : site(vm.site(kProcess)), merging(vm, kProcess) {}
+    typename Vm::Site site;
+    MergingSites merging;
+  };
 
   /// What stays in registers from *Bound* on.
   struct Bounded {
@@ -103,22 +128,25 @@ class Lockstep {
     return bounded;
   }
 
+  /// *Test* at the positions (px, py).
   template <class On>
-  LANESCOPE_INLINE EdgeValues<Vm, P> edge_values(On& on, const Positions<Vm, P>& positions,
-                                                 const Bounded& bounded, const Float& px,
-                                                 const Float& py) {
-    if constexpr (E == Edges::kPrecomputed)
-      return precomputed_edges<Vm, P>(on, bounded.equations, positions.x[0], positions.y[0], px,
-                                      py);
-    else
-      return inline_edges<Vm, P>(on, positions, px, py);
+  LANESCOPE_INLINE Coverage<Vm> test(On& on, const Positions<Vm, P>& positions,
+                                     const Bounded& bounded, const Float& px, const Float& py,
+                                     EdgeValues<Vm, P>& values) {
+    if constexpr (E == Edges::kInline) {
+      return EdgeTest::template test<Vm, P>(on, positions, px, py, values);
+    } else {
+      values =
+          precomputed_edges<Vm, P>(on, bounded.equations, positions.x[0], positions.y[0], px, py);
+      return point_in_polygon<Vm, P>(on, values);
+    }
   }
 
-  template <class ProcessSite>
-  LANESCOPE_INLINE void process(ProcessSite& site, Lanes inside, Hits<HitSink<Vm::kCounted>> hits,
+  /// *Process*, in a block of the hits.
+  template <class On>
+  LANESCOPE_INLINE void process(On& on, MergingSites& merging, Hits<HitSink<Vm::kCounted>> hits,
                                 const Bounded& bounded, const EdgeValues<Vm, P>& values,
                                 const typename Vm::Int& sample) {
-    auto on = site.on(inside);
     const auto weights = corner_weights<Vm, P>(on, values, bounded.inverse_area);
     Float shade[kShades];
     host::unroll<kShades>([&](auto i) LANESCOPE_INLINE_LAMBDA {
@@ -126,7 +154,7 @@ class Lockstep {
         return bounded.shades[k][i];
       });
     });
-    frame_merge(on, hits, sample, shade[0], shade[1], shade[2], shade[3], shade[4]);
+    FrameAccess::merge(merging, on, hits, sample, shade[0], shade[1], shade[2], shade[3], shade[4]);
   }
 
   Vm& vm_;
@@ -134,5 +162,9 @@ class Lockstep {
   RasterizerCounts& counts_;
   HitSink<Vm::kCounted>& sink_;
 };
+
+/// As the thesis has it.
+template <class Vm, Micropolygon P, Edges E>
+using Lockstep = BasicLockstep<Vm, P, E, PlainSteps>;
 
 }  // namespace lanescope

@@ -16,6 +16,7 @@
 #include <tuple>
 #include <vector>
 
+#include "kernels/micropolygons/steps.h"
 #include "kernels/micropolygons/vector_kernel.h"
 
 namespace lanescope {
@@ -24,16 +25,17 @@ namespace lanescope {
 inline constexpr std::array<std::string_view, 5> kRepackStages{"Setup", "Bound", "Test Stream-load",
                                                                "Test", "Process"};
 
-template <class Vm, Micropolygon P, Edges E>
-class Repack {
+/// With the steps of `Steps`, which see in steps.h.
+template <class Vm, Micropolygon P, Edges E, class Steps>
+class BasicRepack {
  public:
   enum Stage : std::size_t { kSetup, kBound, kStreamLoad, kTest, kProcess };
   static constexpr std::size_t kStageCount = kRepackStages.size();
   static_assert(kProcess + 1 == kStageCount, "a stage has no name, or a name no stage");
   static constexpr std::size_t kCounterCount = kRasterizerCounterCount;
 
-  Repack(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts,
-         HitSink<Vm::kCounted>& sink)
+  BasicRepack(Vm& vm, const ProgramOptions& options, RasterizerCounts& counts,
+              HitSink<Vm::kCounted>& sink)
       : vm_(vm),
         cells_(options.frame->grid()),
         counts_(counts),
@@ -54,18 +56,18 @@ class Repack {
       const bool input_left = next < size;
       const int testable = lanes.busy.count() + queued_;
       if (hits_ >= width) {
-        process(sites, packet, first_id, width);
+        process(sites, packet, first_id);
       } else if (testable >= width || (!input_left && testable > 0)) {
         const int busy = lanes.busy.count();
         if (queued_ > 0 && (width - busy >= least_free_to_load_ || busy == 0))
-          stream_load(sites, lanes);
+          stream_load(sites, lanes, busy);
         test(sites, packet, lanes);
       } else if (input_left) {
         const bool bounded = bound_batch(sites, packet, next, vm_.first_n(size - next));
         if (Vm::kCounted && bounded) observe_working_set(lanes);
         next += width;
       } else if (hits_ > 0) {
-        process(sites, packet, first_id, hits_);
+        process(sites, packet, first_id);
       } else {
         return;
       }
@@ -78,6 +80,14 @@ class Repack {
   using Lanes = typename Vm::Lanes;
   static constexpr bool kTriangles = P == Micropolygon::kTriangle;
   static constexpr bool kPrecomputed = E == Edges::kPrecomputed;
+  using Compaction = typename Steps::Compaction;
+  using EdgeTest = typename Steps::EdgeTest;
+  using Carried = typename Steps::Carried;
+  using FrameAccess = typename Steps::FrameAccess;
+  using HitBatch = typename Steps::HitBatch;
+  static_assert(Carried::kWords == 0 ||
+                    (EdgeTest::kGivesValues && std::is_same_v<HitBatch, HitsOnTop>),
+                "only values that Test gives can be carried, by hits that stay in order");
   using Equations = EdgeEquations<Vm, P>;
   static constexpr int kCoefficients = 2 * kCorners<P> + Equations::kInner;
 
@@ -94,9 +104,13 @@ class Repack {
           ruling(vm.site(kTest)),
           compacting(vm.site(kTest)),
           storing(vm.site(kTest)),
-          processing(vm.site(kProcess)) {}
+          processing(vm.site(kProcess)),
+          choosing(vm, kProcess),
+          merging(vm, kProcess) {}
     typename Vm::Site setup, bounding, queueing, ranking, loading, testing, regathering, ruling,
         compacting, storing, processing;
+    typename HitBatch::template Sites<Vm> choosing;
+    typename FrameAccess::template Sites<Vm> merging;
   };
 
   /// What each lane of *Test* is at work on.
@@ -124,8 +138,8 @@ class Repack {
 
     Box<Vm> box;
     Lanes with_candidates;
-    Int place, micropolygon;
-    {
+    Int micropolygon;
+    const auto place = [&] LANESCOPE_INLINE_LAMBDA {
       auto on = sites.bounding.on(batch.alive);
       auto extra = on.overhead();
       box = bound<Vm, P>(on, batch.positions, cells_);
@@ -134,108 +148,112 @@ class Repack {
       if constexpr (kPrecomputed)
         store_equations(extra, edge_equations<Vm, P>(on, batch.positions, batch.area), first);
       with_candidates = cmp_gt(on, box.candidates, 0);
-      place = add(extra, prefix_sum(extra, with_candidates), queued_ - 1);
+      const auto behind = Compaction::places_behind(extra, with_candidates, queued_);
       micropolygon = add(extra, lane_index(extra), first);
       queued_ += count(extra, with_candidates);
-    }
+      return behind;
+    }();
     auto on = sites.queueing.on(with_candidates);
     auto extra = on.overhead();
-    scatter_pair(extra, queue_.columns.memory(), place, box.first_column, box.last_column);
-    scatter(extra, queue_.row.memory(), place, box.first_row);
-    scatter_pair(extra, queue_.micropolygon.memory(), place, micropolygon, box.candidates);
-    scatter_pair(extra, queue_.samples.memory(), place, box.first_sample, box.row_step);
+    Compaction::push(extra, queue_.columns.memory(), place, box.first_column, box.last_column);
+    Compaction::push(extra, queue_.row.memory(), place, box.first_row);
+    Compaction::push(extra, queue_.micropolygon.memory(), place, micropolygon, box.candidates);
+    Compaction::push(extra, queue_.samples.memory(), place, box.first_sample, box.row_step);
     if constexpr (Vm::kCounted) count_boxes(counts_, box, batch.alive, with_candidates);
     return true;
   }
 
   /// *Test Stream-load*: free lanes take boxes from the queue.
-  LANESCOPE_INLINE void stream_load(Sites& sites, TestLanes& lanes) {
-    Lanes loaded;
-    Int place;
-    {
-      const Lanes free = vm_.all() & ~lanes.busy;
+  LANESCOPE_INLINE void stream_load(Sites& sites, TestLanes& lanes, int busy) {
+    const Lanes free = vm_.all() & ~lanes.busy;
+    const auto taken = [&] LANESCOPE_INLINE_LAMBDA {
       auto on = sites.ranking.on(free);
       auto extra = on.overhead();
-      const auto rank = prefix_sum(extra, free);
-      loaded = cmp_le(extra, rank, queued_);
-      place = sub(extra, queued_, rank);
-    }
-    auto on = sites.loading.on(loaded);
+      return Compaction::take(extra, free, vm_.width() - busy, queued_);
+    }();
+    auto on = sites.loading.on(taken.lanes);
     auto extra = on.overhead();
+    const auto pop = [&](auto buffer, const auto&... rest) LANESCOPE_INLINE_LAMBDA {
+      return Compaction::pop(extra, buffer, taken.places, rest...);
+    };
     std::tie(lanes.first_column, lanes.last_column) =
-        gather_pair(extra, queue_.columns.memory(), place, lanes.first_column, lanes.last_column);
+        pop(queue_.columns.memory(), lanes.first_column, lanes.last_column);
     lanes.at.column = move(extra, lanes.first_column, lanes.at.column);
-    lanes.at.row = gather(extra, queue_.row.memory(), place, lanes.at.row);
-    std::tie(lanes.micropolygon, lanes.remaining) = gather_pair(
-        extra, queue_.micropolygon.memory(), place, lanes.micropolygon, lanes.remaining);
+    lanes.at.row = pop(queue_.row.memory(), lanes.at.row);
+    std::tie(lanes.micropolygon, lanes.remaining) =
+        pop(queue_.micropolygon.memory(), lanes.micropolygon, lanes.remaining);
     std::tie(lanes.at.sample, lanes.row_step) =
-        gather_pair(extra, queue_.samples.memory(), place, lanes.at.sample, lanes.row_step);
-    queued_ -= loaded.count();
-    lanes.busy = lanes.busy | loaded;
+        pop(queue_.samples.memory(), lanes.at.sample, lanes.row_step);
+    queued_ -= taken.lanes.count();
+    lanes.busy = lanes.busy | taken.lanes;
   }
 
   /// *Test*: one candidate of each busy lane; hits are pushed to the queue of *Process*.
   LANESCOPE_INLINE void test(Sites& sites, const PacketMemory<P>& packet, TestLanes& lanes) {
     const Lanes active = lanes.busy;
     const Int sample = lanes.at.sample;
+    Float px, py;
     Coverage<Vm> coverage;
     Positions<Vm, P> positions;
     EdgeValues<Vm, P> values;
     {
       auto on = sites.testing.on(active);
       auto extra = on.overhead();
-      const auto [px, py] = place_sample<Vm>(on, lanes.at.column, lanes.at.row, sample, cells_);
-      values = gathered_edges(extra, on, packet, lanes.micropolygon, px, py, positions);
-      coverage = point_in_polygon<Vm, P>(on, values);
+      std::tie(px, py) = place_sample<Vm>(on, lanes.at.column, lanes.at.row, sample, cells_);
+      if constexpr (kPrecomputed) {
+        values = gathered_edges(extra, on, packet, lanes.micropolygon, px, py);
+        coverage = point_in_polygon<Vm, P>(on, values);
+      } else {
+        positions = gather_positions(extra, packet, lanes.micropolygon);
+        coverage = EdgeTest::template test<Vm, P>(on, positions, px, py, values);
+      }
       lanes.at = advance<Vm>(on, lanes.at, lanes.first_column, lanes.last_column, lanes.row_step);
       lanes.remaining = sub(extra, lanes.remaining, 1);
       lanes.busy = cmp_gt(on, lanes.remaining, 0);
     }
-    if (coverage.any_on_edge) [[unlikely]]
-      rule(sites, packet, lanes.micropolygon, coverage, positions, values);
-    if (coverage.any_inside) compact(sites, active, coverage.inside, lanes.micropolygon, sample);
-  }
-
-  /// The fill rule for samples on edges; edge equations have not gathered all positions.
-  LANESCOPE_INLINE void rule(Sites& sites, const PacketMemory<P>& packet, const Int& micropolygon,
-                             Coverage<Vm>& coverage, Positions<Vm, P>& positions,
-                             const EdgeValues<Vm, P>& values) {
-    if constexpr (kPrecomputed) {
-      auto on = sites.regathering.on(coverage.on_edge);
-      positions = gather_positions(on.overhead(), packet, micropolygon);
+    if (coverage.any_on_edge) [[unlikely]] {
+      if constexpr (kPrecomputed) {
+        auto on = sites.regathering.on(coverage.on_edge);
+        positions = gather_positions(on.overhead(), packet, lanes.micropolygon);
+      } else if constexpr (!EdgeTest::kGivesValues) {
+        auto on = sites.regathering.on(coverage.on_edge);
+        values = inline_edges<Vm, P>(on, positions, px, py);
+      }
+      add_owned_samples<Vm, P>(sites.ruling, coverage, positions, values);
     }
-    add_owned_samples<Vm, P>(sites.ruling, coverage, positions, values);
+    if (coverage.any_inside)
+      compact(sites, active, coverage.inside, lanes.micropolygon, sample, values);
   }
 
   LANESCOPE_INLINE void compact(Sites& sites, Lanes active, Lanes hits, const Int& micropolygon,
-                                const Int& sample) {
-    Int place;
+                                const Int& sample, const EdgeValues<Vm, P>& values) {
     int hit_count;
-    {
+    const auto place = [&] LANESCOPE_INLINE_LAMBDA {
       auto on = sites.compacting.on(active);
       auto extra = on.overhead();
-      place = add(extra, prefix_sum(extra, hits), hits_ - 1);
+      const auto behind = Compaction::places_behind(extra, hits, hits_);
       hit_count = count(extra, hits);
-    }
+      return behind;
+    }();
     auto on = sites.storing.on(hits);
-    scatter_pair(on.overhead(), hit_queue_.memory(), place, micropolygon, sample);
+    auto extra = on.overhead();
+    Compaction::push(extra, hit_queue_.memory(), place, micropolygon, sample);
+    if constexpr (Carried::kWords > 0) Carried::push(extra, carried_.memory(), place, values);
     hits_ += hit_count;
   }
 
-  /// *Process* of the last `count` hits of the queue. Edges are evaluated again: at full
-  /// utilization that costs less than passing them through the queue under the mask of hits.
-  LANESCOPE_INLINE void process(Sites& sites, const PacketMemory<P>& packet, std::uint64_t first_id,
-                                int count) {
-    hits_ -= count;
-    auto on = sites.processing.on(vm_.first_n(count));
+  /// *Process* of a batch of hits from the queue.
+  LANESCOPE_INLINE void process(Sites& sites, const PacketMemory<P>& packet,
+                                std::uint64_t first_id) {
+    const auto batch = HitBatch::take(vm_, sites.choosing, hit_queue_.memory(), hits_);
+    auto on = sites.processing.on(batch.lanes);
     auto extra = on.overhead();
-    const auto [micropolygon, sample] = load_pair(extra, hit_queue_.memory(), hits_);
-    const auto row = div(extra, sample, cells_.stride);
-    const auto column = sub(extra, sample, mul(extra, row, cells_.stride));
-    const auto [px, py] = place_sample<Vm>(extra, convert_to_float(extra, column),
-                                           convert_to_float(extra, row), sample, cells_);
-    Positions<Vm, P> positions;
-    const auto values = gathered_edges(extra, extra, packet, micropolygon, px, py, positions);
+    const auto [micropolygon, sample] = batch.load(extra, hit_queue_.memory());
+    EdgeValues<Vm, P> values;
+    if constexpr (Carried::kWords > 0)
+      values = Carried::template load<Vm, P>(extra, carried_.memory(), batch.first);
+    else
+      values = edges_again(extra, packet, micropolygon, sample);
     Float inverse_area;
     if constexpr (kTriangles)
       inverse_area = gather(extra, held_->inverse_area.memory(), micropolygon);
@@ -246,8 +264,20 @@ class Repack {
         return gather(on, packet.shade(k, i), micropolygon);
       });
     });
-    frame_merge(on, Hits{sink_, first_id}, micropolygon, sample, shade[0], shade[1], shade[2],
-                shade[3], shade[4]);
+    FrameAccess::merge(sites.merging, on, Hits{sink_, first_id}, micropolygon, sample, shade[0],
+                       shade[1], shade[2], shade[3], shade[4]);
+  }
+
+  /// Edge functions of hits, from micropolygon and sample. At full utilization that costs less than
+  /// passing them through the queue under the mask of hits.
+  template <class Extra>
+  LANESCOPE_INLINE EdgeValues<Vm, P> edges_again(Extra& extra, const PacketMemory<P>& packet,
+                                                 const Int& micropolygon, const Int& sample) {
+    const auto row = div(extra, sample, cells_.stride);
+    const auto column = sub(extra, sample, mul(extra, row, cells_.stride));
+    const auto [px, py] = place_sample<Vm>(extra, convert_to_float(extra, column),
+                                           convert_to_float(extra, row), sample, cells_);
+    return gathered_edges(extra, extra, packet, micropolygon, px, py);
   }
 
   template <class On>
@@ -266,13 +296,13 @@ class Repack {
   LANESCOPE_INLINE EdgeValues<Vm, P> gathered_edges(Extra& extra, On& on,
                                                     const PacketMemory<P>& packet,
                                                     const Int& micropolygon, const Float& px,
-                                                    const Float& py, Positions<Vm, P>& positions) {
+                                                    const Float& py) {
     if constexpr (kPrecomputed) {
       const auto x = gather(extra, packet.x(0), micropolygon);
       const auto y = gather(extra, packet.y(0), micropolygon);
       return precomputed_edges<Vm, P>(on, gather_equations(extra, micropolygon), x, y, px, py);
     } else {
-      positions = gather_positions(extra, packet, micropolygon);
+      const auto positions = gather_positions(extra, packet, micropolygon);
       return inline_edges<Vm, P>(on, positions, px, py);
     }
   }
@@ -359,8 +389,14 @@ class Repack {
   int queued_ = 0;  ///< Entries of queue_.
   Buffer<std::int32_t> hit_queue_{2 * entries_, "hits", vm_.checks()};
   int hits_ = 0;  ///< Entries of hit_queue_: (micropolygon, sample).
+  Buffer<float> carried_{std::max<std::size_t>(1, Carried::kWords* entries_), "carried values",
+                         vm_.checks()};
   std::optional<Held> held_;
   WorkingSetCourse working_set_;
 };
+
+/// As the thesis has it.
+template <class Vm, Micropolygon P, Edges E>
+using Repack = BasicRepack<Vm, P, E, PlainSteps>;
 
 }  // namespace lanescope
