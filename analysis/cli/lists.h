@@ -21,7 +21,8 @@ inline constexpr std::string_view kInstructionList = "instructions";
 /// The reference of the instruction set (docs/instructions.md).
 std::string reference_of_instructions();
 
-/// The instruction set, then what kernels issue beside it: mnemonic, class, charge, meaning.
+/// The instruction set, the program's own instructions, then what kernels issue beside them:
+/// mnemonic, class, charge, meaning.
 std::string list_instructions();
 
 /// Names and summaries.

@@ -15,6 +15,7 @@
 #include "analysis/cli/options.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/process.h"
+#include "kernels/instructions.h"
 #include "simulator/base/choice.h"
 #include "simulator/base/error.h"
 
@@ -69,6 +70,7 @@ std::vector<std::string> words_of(int argc, char** argv) {
 }
 
 int run(int argc, char** argv) {
+  all_instructions();  // Refuses a program whose reports would be ambiguous.
   CLI::App app("A software SIMD machine, vector programs that run on it, and what their lanes do",
                "lanescope");
   describe(app);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The example of docs/adding.md: one micropolygon at a time, a lane for each candidate sample of
-// its box, as rasterizers of large polygons do. The first W samples, the next W, and so on.
+// The kernel of docs/own-programs.md: one micropolygon at a time, a lane for each candidate sample
+// of its box, as rasterizers of large polygons do. The first W samples, the next W, and so on.
+// Edges are evaluated by an instruction that the machine does not come with.
 #pragma once
 
 #include <array>
 #include <string_view>
 
+#include "edge_function.h"
 #include "kernels/micropolygons/vector_kernel.h"
 
 namespace lanescope {
@@ -91,13 +93,29 @@ class OneAtATime {
               on, edge_equations<Vm, P>(on, positions, doubled_area<Vm, P>(on, positions)),
               positions.x[0], positions.y[0], px, py);
         else
-          values = inline_edges<Vm, P>(on, positions, px, py);
+          values = edge_functions(on, positions, px, py);
         coverage = point_in_polygon<Vm, P>(on, values);
       }
       if (coverage.any_on_edge) add_owned_samples<Vm, P>(ruling, coverage, positions, values);
       if (coverage.any_inside)
         process(processing, coverage.inside, packet, first_id, positions, values, number, sample);
     }
+  }
+
+  template <class On>
+  LANESCOPE_INLINE EdgeValues<Vm, P> edge_functions(On& on, const Positions<Vm, P>& positions,
+                                                    const Float& px, const Float& py) {
+    Float x[kCorners<P>], y[kCorners<P>];
+    host::unroll<kCorners<P>>([&](auto k) LANESCOPE_INLINE_LAMBDA {
+      x[k] = sub(on, positions.x[k], px);
+      y[k] = sub(on, positions.y[k], py);
+    });
+    EdgeValues<Vm, P> values;
+    host::unroll<kCorners<P>>([&](auto k) LANESCOPE_INLINE_LAMBDA {
+      constexpr int kNext = (k + 1) % kCorners<P>;
+      values.e[k] = edge_function(on, x[k], y[k], x[kNext], y[kNext]);
+    });
+    return values;
   }
 
   template <class ProcessSite>

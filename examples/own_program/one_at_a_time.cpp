@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "tests/kernels/micropolygons/one_at_a_time.h"
+#include "one_at_a_time.h"
 
 #include "kernels/kernel.h"
 #include "kernels/micropolygons/counters.h"
 #include "kernels/micropolygons/frame_merge.h"
 #include "kernels/micropolygons/options.h"
-#include "kernels/widths.h"
-#include "tests/kernels/micropolygons/starters.h"
+#include "starters.h"
 #include "workloads/micropolygons/workload.h"
 
 namespace lanescope {
@@ -24,7 +23,7 @@ const Kernel k_one_at_a_time{
     .output_counters = kFrameCounters,
     .element = kMicropolygon,
     .instructions = kRasterizerInstructions,
-    .most_width = kMostLanes,
+    .most_width = most_width_of_one_at_a_time(),
     .open = open_frame,
     .output_bytes = frame_bytes,
     .start = start_one_at_a_time,
