@@ -76,18 +76,16 @@ LANESCOPE_INLINE Float cross(On& on, const Float& ax, const Float& ay, const Flo
   return sub(on, mul(on, ax, by), mul(on, ay, bx));
 }
 
-/// Twice the area, positive if it faces the viewer; of a quad from its diagonals. With corners that
-/// are not finite it may not be a number, which is not positive.
+/// Twice the area, positive if it faces the viewer; of a quad from its diagonals.
 template <class Vm, Micropolygon P, class On>
 LANESCOPE_INLINE typename Vm::Float doubled_area(On& on, const Positions<Vm, P>& p) {
   constexpr bool kTriangle = P == Micropolygon::kTriangle;
   constexpr int kFirstTo = kTriangle ? 1 : 2;
   constexpr int kSecondFrom = kTriangle ? 0 : 1;
   constexpr int kSecondTo = kTriangle ? 2 : 3;
-  auto&& any = on.allowing(Check::kNan);
-  return cross(any, sub(any, p.x[kFirstTo], p.x[0]), sub(any, p.y[kFirstTo], p.y[0]),
-               sub(any, p.x[kSecondTo], p.x[kSecondFrom]),
-               sub(any, p.y[kSecondTo], p.y[kSecondFrom]));
+  return cross(on, sub(on, p.x[kFirstTo], p.x[0]), sub(on, p.y[kFirstTo], p.y[0]),
+               sub(on, p.x[kSecondTo], p.x[kSecondFrom]),
+               sub(on, p.y[kSecondTo], p.y[kSecondFrom]));
 }
 
 /// The candidates of a micropolygon: cells of its bounding box, snapped outward and clipped to the
@@ -123,10 +121,8 @@ LANESCOPE_INLINE Box<Vm> bound(On& on, const Positions<Vm, P>& p, const Cells& c
   const auto columns = cells_between(box.first_column, box.last_column);
   const auto rows = cells_between(box.first_row, last_row);
   box.candidates = mul(on, columns, rows);
-  // Of a box that begins far off the screen nothing is used.
-  auto&& far = on.allowing(Check::kConversion);
-  box.first_sample = add(on, mul(on, convert_to_int(far, box.first_row), cells.stride),
-                         convert_to_int(far, box.first_column));
+  box.first_sample = add(on, mul(on, convert_to_int(on, box.first_row), cells.stride),
+                         convert_to_int(on, box.first_column));
   box.row_step = sub(on, cells.stride + 1, columns);
   return box;
 }
