@@ -23,6 +23,7 @@ enum class Check {
   kLaneIndex,    ///< Addresses a lane outside the vector.
   kNan,          ///< Makes not-a-number of numbers.
   kNoLane,       ///< Reduces no lanes.
+  kWidth,        ///< Has other results at another width: found by comparing runs.
   kOperand,      ///< For instructions from outside the set: what their own struct calls suspicious.
 };
 

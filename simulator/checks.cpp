@@ -33,6 +33,8 @@ std::string_view to_string(Check check) {
       return "nan";
     case Check::kNoLane:
       return "no_lane";
+    case Check::kWidth:
+      return "width";
     case Check::kOperand:
       return "operand";
   }

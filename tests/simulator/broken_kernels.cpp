@@ -262,6 +262,7 @@ std::int32_t count_visible(Vm& vm, bool carries) {
 
 constexpr WidthDependence kWidthDependence{
     "visible_heights", "what lies before the batch is forgotten, so that each begins anew",
+    "visible_heights on heights: its results at W = 2 are not those at W = 1",
     [](Vm& vm) { return count_visible(vm, false); },
     [](Vm& vm) { return count_visible(vm, true); }};
 

@@ -26,6 +26,7 @@ std::span<const BrokenKernel> broken_kernels();
 struct WidthDependence {
   std::string_view name;
   std::string_view mistake;
+  std::string_view message;                      ///< What comparing runs finds.
   std::int32_t (*run)(SlowMachine<8>& vm);       ///< Returns its result.
   std::int32_t (*repaired)(SlowMachine<8>& vm);  ///< The same without the mistake.
 };
