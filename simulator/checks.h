@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a checked machine does around an instruction: no active lane may read a dead lane's value,
-// address outside its memory, read memory that was never written, or store where another lane of
-// the same instruction stores. What a struct can say to that end, each optional:
+// What a checked machine does around an instruction: it looks for each of the mistakes of check.h.
+// What a struct can say to that end, each optional:
 //
 //   static constexpr int kRest = n;         operands n and up are kept by dead lanes, see execute.h
 //   reads(position, active[, width], operands...)   the lanes in which an operand is read, if not
@@ -10,13 +9,22 @@
 //                                           active ones and those kept
 //   touch(active, f, operands...)           calls f(lane, memory, element, access) for each element
 //                                           that it touches; compulsory for operands in memory
+//   suspicious([width, ]operands...)        whether a lane with these operands (vectors by their
+//                                           lane, scalars as they are) does what is defined, but
+//                                           hardly meant, which is
+//   static constexpr Suspicion kSuspicion{check, reason};
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <source_location>
+#include <span>
+#include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "simulator/check.h"
 #include "simulator/execute.h"
 #include "simulator/memory.h"
 
@@ -65,6 +73,11 @@ constexpr T poison() {
     return static_cast<T>(0x7badbad1);
 }
 
+/// What one lane holds.
+using LaneValue = std::variant<float, std::int32_t, std::uint32_t>;
+/// A value as people read it: of not-a-number no sign, of whole floats every digit.
+std::string to_text(const LaneValue& value);
+
 [[noreturn]] void fail_dead_lane(const InstructionInfo& info, int operand, int lane,
                                  const std::source_location& at);
 [[noreturn]] void fail_bounds(const InstructionInfo& info, int lane, std::int64_t element,
@@ -72,7 +85,13 @@ constexpr T poison() {
                               const std::source_location& at);
 [[noreturn]] void fail_unwritten(const InstructionInfo& info, int lane, std::int64_t element,
                                  std::string_view memory, const std::source_location& at);
-/// Throws CheckError: lanes of a block are on that are beyond the width.
+[[noreturn]] void fail_suspicious(const InstructionInfo& info, const Suspicion& suspicion, int lane,
+                                  std::span<const LaneValue> operands,
+                                  const std::source_location& at);
+/// A reduction has no lanes, or makes not-a-number of all of them.
+[[noreturn]] void fail_reduction(const InstructionInfo& info, const Suspicion& suspicion,
+                                 const std::source_location& at);
+/// Lanes of a block are on that are beyond the width.
 [[noreturn]] void fail_beyond_width(std::uint64_t active, Width width,
                                     const std::source_location& at);
 
@@ -81,7 +100,7 @@ class StoredElements {
  public:
   void clear() { stored_.clear(); }
   void add(int lane, std::int64_t element) { stored_.push_back({element, lane}); }
-  /// Throws CheckError if two lanes store to one element.
+  /// Throws FailedCheck if two lanes store to one element.
   void require_distinct(const InstructionInfo& info, std::string_view memory,
                         const std::source_location& at);
 
@@ -121,16 +140,130 @@ void check_operand(const InstructionInfo& info, Mask<L> read, int position, cons
 
 /// Checks an access to an element, and keeps what it stores to.
 template <class T>
-void check_access(const InstructionInfo& info, int lane, const Memory<T>& memory,
+void check_access(CheckSet checks, const InstructionInfo& info, int lane, const Memory<T>& memory,
                   std::int64_t element, Access access, StoredElements& stored,
                   const std::source_location& at) {
-  if (element < 0 || static_cast<std::uint64_t>(element) >= memory.size)
+  if (element < 0 || static_cast<std::uint64_t>(element) >= memory.size) {
+    if (!checks.has(Check::kBounds)) return;
     fail_bounds(info, lane, element, memory.size, memory.name, at);
+  }
   if (access == Access::kStore) stored.add(lane, element);
   if (!memory.written) return;
-  if (access != Access::kStore && !memory.written[element])
+  if (access != Access::kStore && !memory.written[element] && checks.has(Check::kUnwritten))
     fail_unwritten(info, lane, element, memory.name, at);
   memory.written[element] = 1;
+}
+
+/// An operand as one lane has it.
+template <class Operand>
+auto in_lane(const Operand& operand, [[maybe_unused]] int lane) {
+  if constexpr (kIsVec<Operand>)
+    return operand[lane];
+  else
+    return operand;
+}
+
+/// What of an operand can be shown: masks and memory cannot.
+template <class Operand>
+void show_lane(std::vector<LaneValue>& shown, const Operand& operand, int lane) {
+  using T = decltype(in_lane(operand, lane));
+  if constexpr (std::is_floating_point_v<T>)
+    shown.push_back(static_cast<float>(in_lane(operand, lane)));
+  else if constexpr (std::is_unsigned_v<T>)
+    shown.push_back(static_cast<std::uint32_t>(in_lane(operand, lane)));
+  else if constexpr (std::is_integral_v<T>)
+    shown.push_back(static_cast<std::int32_t>(in_lane(operand, lane)));
+}
+
+template <class... Operands>
+[[noreturn]] void fail_in_lane(const InstructionInfo& info, const Suspicion& suspicion, int lane,
+                               const std::source_location& at, const Operands&... operands) {
+  std::vector<LaneValue> shown;
+  (show_lane(shown, operands, lane), ...);
+  fail_suspicious(info, suspicion, lane, shown, at);
+}
+
+template <class Op, class... Operands>
+bool is_suspicious(int lane, [[maybe_unused]] Width width, const Operands&... operands) {
+  if constexpr (requires { Op::suspicious(in_lane(operands, lane)...); })
+    return Op::suspicious(in_lane(operands, lane)...);
+  else if constexpr (requires { Op::suspicious(width, in_lane(operands, lane)...); })
+    return Op::suspicious(width, in_lane(operands, lane)...);
+  else
+    return false;
+}
+
+/// Whether a struct says what is suspicious.
+template <class Op>
+concept SaysSuspicion = requires {
+  Op::kSuspicion;
+};
+
+/// What the struct of an instruction calls suspicious, in active lanes.
+template <class Op, int L, class... Operands>
+void check_suspicion(CheckSet checks, Mask<L> active, Width width, const std::source_location& at,
+                     const Operands&... operands) {
+  if constexpr (SaysSuspicion<Op>) {
+    if (!checks.has(Op::kSuspicion.check)) return;
+    for_each_lane(active, [&](int lane) {
+      if (is_suspicious<Op>(lane, width, operands...))
+        fail_in_lane(Op::kInfo, Op::kSuspicion, lane, at, operands...);
+    });
+  }
+  if (Op::kInfo.instruction_class == InstructionClass::kReduce && checks.has(Check::kNoLane) &&
+      !active.any())
+    fail_reduction(Op::kInfo, {Check::kNoLane, "no lane is active"}, at);
+}
+
+/// The lanes in which an operand is not-a-number, of a scalar all or none.
+template <int L, class Operand>
+Mask<L> nan_lanes([[maybe_unused]] const Operand& operand) {
+  std::uint64_t bits = 0;
+  if constexpr (std::is_same_v<Operand, Vec<float, L>>) {
+    for (int i = 0; i < L; ++i) bits |= std::uint64_t{std::isnan(operand[i])} << i;
+  } else if constexpr (std::is_floating_point_v<Operand>) {
+    if (std::isnan(operand)) return Mask<L>::all();
+  }
+  return Mask<L>::from_bits(bits);
+}
+
+/// The lanes in which not-a-number may come from an operand: those that have it themselves or, if
+/// the instruction is not lane by lane, all if it reads it anywhere.
+template <class Op, int L, class... Operands>
+Mask<L> lanes_given_nan(Mask<L> active, Width width, const Operands&... operands) {
+  Mask<L> given = Mask<L>::none();
+  [[maybe_unused]] int position = 0;
+  if constexpr (
+      requires { Op::apply(active, operands...); } ||
+      requires { Op::apply(active, width, operands...); }) {
+    ((given =
+          given | (nan_lanes<L>(operands) & lanes_read<Op>(position, active, width, operands...)),
+      ++position),
+     ...);
+    return given.any() ? Mask<L>::all() : given;
+  } else {
+    ((given = given | nan_lanes<L>(operands)), ...);
+    return given;
+  }
+}
+
+/// That not-a-number is not born in an active lane; memory may hold it.
+template <class Op, int L, class R, class... Operands>
+void check_born_nan([[maybe_unused]] Mask<L> active, [[maybe_unused]] Width width,
+                    [[maybe_unused]] const R& result,
+                    [[maybe_unused]] const std::source_location& at, const Operands&... operands) {
+  constexpr Suspicion kBorn{Check::kNan, "the result is not a number"};
+  if constexpr ((IsMemory<Operands>::value || ...)) {
+    return;
+  } else if constexpr (std::is_same_v<R, Vec<float, L>>) {
+    const Mask<L> found = active & nan_lanes<L>(result);
+    if (!found.any()) return;
+    const Mask<L> born = found & ~lanes_given_nan<Op>(active, width, operands...);
+    if (born.any()) fail_in_lane(Op::kInfo, kBorn, std::countr_zero(born.bits()), at, operands...);
+  } else if constexpr (std::is_floating_point_v<R>) {
+    if (std::isnan(result) && !lanes_given_nan<Op>(active, width, operands...).any())
+      fail_reduction(Op::kInfo, kBorn, at);
+  }
 }
 
 /// The lanes that hold a value in every operand that a merging instruction keeps.

@@ -23,6 +23,7 @@
 #include <source_location>
 
 #include "simulator/base/error.h"
+#include "simulator/check.h"
 #include "simulator/execute.h"
 #include "simulator/mode.h"
 #include "simulator/tally.h"
@@ -159,8 +160,11 @@ class Block {
       block.template append<Op, true>();
       return detail::execute<Op>(block.active_, block.width(), operands...);
     }
+    LANESCOPE_INLINE Overhead& allowing(Check) { return *this; }
   };
   LANESCOPE_INLINE Overhead overhead() { return {*this}; }
+  /// The same block: what a checked machine is told, see SlowBlock.
+  LANESCOPE_INLINE Block& allowing(Check) { return *this; }
 
  private:
   LANESCOPE_INLINE Width width() const { return {site_.tally_.width()}; }

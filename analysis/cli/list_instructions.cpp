@@ -8,7 +8,7 @@
 
 namespace lanescope {
 
-std::string reference_of_instructions() { return instruction_reference(instruction_set()); }
+std::string reference_of_instructions() { return instruction_reference(reference_entries()); }
 
 std::string list_instructions() {
   std::string text;

@@ -9,6 +9,7 @@
 #include "analysis/experiment/group_run.h"
 #include "analysis/experiment/run_record.h"
 #include "analysis/experiment/stopwatch.h"
+#include "analysis/experiment/width_independence.h"
 
 namespace lanescope {
 namespace {
@@ -99,6 +100,7 @@ Report run_experiment(const std::vector<Configuration>& configurations,
     });
     record(group, groups[i], options, report, dictionary);
   }
+  require_width_independence(report.runs);
   report.instructions = entries(dictionary);
   report.timing.wall_ms = watch.ms();
   report.timing.threads = options.threads;

@@ -35,8 +35,9 @@ struct ExperimentOptions {
 /// for each, in their order, and is the same at any number of threads except for `timing`; its
 /// `command` is left to the caller. Memory is that of the outputs of one group.
 /// Throws InputError for what a configuration names and does not exist or is out of range, and,
-/// before anything is run, if there is not enough memory for the outputs; an exception within a
-/// worker is rethrown here. Requires options.threads > 0.
+/// before anything is run, if there is not enough memory for the outputs; FailedCheck if the
+/// results of runs of checked mode depend on their width; an exception within a worker is rethrown
+/// here. Requires options.threads > 0.
 Report run_experiment(const std::vector<Configuration>& configurations,
                       const ExperimentOptions& options);
 

@@ -123,7 +123,9 @@ ScalarHarmonics selected_worths(Vm& vm, const SkySamples& samples, Memory<std::i
     auto on = adding.on(sky);
     host::unroll<kHarmonics>([&](auto h) LANESCOPE_INLINE_LAMBDA {
       const auto& worth = samples.worth[h];
-      sums[h] += hadd(on, load(on, read_only(worth.data(), worth.size(), "worth"), first));
+      // Where no sample sees the sky, nothing is added.
+      sums[h] += hadd(on.allowing(Check::kNoLane),
+                      load(on, read_only(worth.data(), worth.size(), "worth"), first));
     });
   }
   return sums;

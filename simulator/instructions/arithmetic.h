@@ -2,6 +2,8 @@
 // Arithmetic on each lane. Floats round to nearest, each operation by itself; integers wrap.
 #pragma once
 
+#include <limits>
+
 #include "simulator/issue.h"
 
 namespace lanescope::isa {
@@ -49,6 +51,14 @@ struct Div {
   static std::int32_t lane(std::int32_t a, std::int32_t b) {
     if (b == 0) return -1;
     return b == -1 ? host::wrapped<std::int32_t>(0u - host::wrapping(a)) : a / b;
+  }
+  static constexpr Suspicion kSuspicion{Check::kDivision,
+                                        "the divisor is 0, or int32 does not hold the quotient"};
+  template <host::Integers A, host::Integers B>
+  static bool suspicious(A a, B b) {
+    if constexpr (std::is_signed_v<A> && std::is_signed_v<B>)
+      if (a == std::numeric_limits<A>::min() && b == -1) return true;
+    return b == 0;
   }
 };
 inline constexpr Instruction<Div> div;

@@ -25,6 +25,8 @@ struct ConvertToInt {
   LANESCOPE_INLINE static auto lane(V a) {
     return host::to_int(a);
   }
+  static constexpr Suspicion kSuspicion{Check::kConversion, "the value is out of range"};
+  static bool suspicious(float a) { return !(a >= -2147483648.0f && a < 2147483648.0f); }
 };
 inline constexpr Instruction<ConvertToInt> convert_to_int;
 
@@ -37,6 +39,8 @@ struct ConvertToUint {
   LANESCOPE_INLINE static auto lane(V a) {
     return host::to_uint(a);
   }
+  static constexpr Suspicion kSuspicion{Check::kConversion, "the value is out of range"};
+  static bool suspicious(float a) { return !(a > -1.0f && a < 4294967296.0f); }
 };
 inline constexpr Instruction<ConvertToUint> convert_to_uint;
 

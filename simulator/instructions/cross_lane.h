@@ -41,8 +41,8 @@ inline constexpr Instruction<PrefixSum> prefix_sum;
 ///   v         a  b  c  d
 ///   result    a  c  d  .      '.' holds nothing to rely on
 struct Compress {
-  static constexpr InstructionInfo kInfo{"compress", "selected lanes of a, moved to the front",
-                                         InstructionClass::kScan};
+  static constexpr InstructionInfo kInfo{
+      "compress", "r[k] = a[i], i the k-th active lane with selected[i]", InstructionClass::kScan};
   template <int L, class T>
   LANESCOPE_INLINE static Vec<T, L> apply(Mask<L> active, Mask<L> selected, const Vec<T, L>& a) {
     const Mask<L> moved = active & selected;
@@ -68,8 +68,8 @@ inline constexpr Instruction<Compress> compress;
 
 /// The inverse of compress: lane k of v goes to the k-th active and selected lane.
 struct Expand {
-  static constexpr InstructionInfo kInfo{"expand", "lanes from the front of a, moved to selected",
-                                         InstructionClass::kScan};
+  static constexpr InstructionInfo kInfo{
+      "expand", "r[i] = a[k], i the k-th active lane with selected[i]", InstructionClass::kScan};
   template <int L, class T>
   static Vec<T, L> apply(Mask<L> active, Mask<L> selected, const Vec<T, L>& a) {
     const auto from = a.lanes();
@@ -133,6 +133,11 @@ struct Permute {
     if (operand == 1) return active;
     return detail_cross_lane::sources<L>(
         active, [&](int i) { return detail_cross_lane::wrap(index[i], width); });
+  }
+  static constexpr Suspicion kSuspicion{Check::kLaneIndex, "the index is not from 0 to W - 1"};
+  template <class T>
+  static bool suspicious(Width width, T, std::int32_t index) {
+    return index < 0 || index >= width.lanes;
   }
 };
 inline constexpr Instruction<Permute> permute;

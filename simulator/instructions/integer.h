@@ -55,6 +55,18 @@ struct BitNot {
 };
 inline constexpr Instruction<BitNot> bit_not;
 
+namespace detail_integer {
+
+inline constexpr Suspicion kShiftCount{Check::kShiftCount, "the count is not from 0 to 31"};
+
+/// A rotation is periodic, so that no count is out of its range; a shift is not.
+template <class T>
+constexpr bool is_no_shift_count(T count) {
+  return static_cast<std::uint32_t>(count) > 31;
+}
+
+}  // namespace detail_integer
+
 struct Shl {
   static constexpr InstructionInfo kInfo{"shl", "r[i] = a[i] << b[i]", InstructionClass::kInteger,
                                          Charge::kActiveLanes,
@@ -62,6 +74,11 @@ struct Shl {
   template <host::Integers V>
   LANESCOPE_INLINE static V lane(V a, V b) {
     return host::wrapped<V>(host::wrapping(a) << (host::wrapping(b) & 31u));
+  }
+  static constexpr Suspicion kSuspicion = detail_integer::kShiftCount;
+  template <class A, class B>
+  static bool suspicious(A, B count) {
+    return detail_integer::is_no_shift_count(count);
   }
 };
 inline constexpr Instruction<Shl> shl;
@@ -73,6 +90,11 @@ struct Shr {
   template <host::Integers V>
   LANESCOPE_INLINE static V lane(V a, V b) {
     return a >> (b & 31);
+  }
+  static constexpr Suspicion kSuspicion = detail_integer::kShiftCount;
+  template <class A, class B>
+  static bool suspicious(A, B count) {
+    return detail_integer::is_no_shift_count(count);
   }
 };
 inline constexpr Instruction<Shr> shr;

@@ -52,7 +52,7 @@ struct MaskNot {
 inline constexpr Instruction<MaskNot> mask_not;
 
 struct Any {
-  static constexpr InstructionInfo kInfo{"any", "whether some active lane of a is on",
+  static constexpr InstructionInfo kInfo{"any", "x = whether a[i] in some active lane",
                                          InstructionClass::kMask, Charge::kActiveLanes,
                                          "false if no lane is active"};
   template <int W>
@@ -63,7 +63,7 @@ struct Any {
 inline constexpr Instruction<Any> any;
 
 struct All {
-  static constexpr InstructionInfo kInfo{"all", "whether every active lane of a is on",
+  static constexpr InstructionInfo kInfo{"all", "x = whether a[i] in every active lane",
                                          InstructionClass::kMask, Charge::kActiveLanes,
                                          "true if no lane is active"};
   template <int W>
@@ -74,7 +74,7 @@ struct All {
 inline constexpr Instruction<All> all;
 
 struct None {
-  static constexpr InstructionInfo kInfo{"none", "whether no active lane of a is on",
+  static constexpr InstructionInfo kInfo{"none", "x = whether a[i] in no active lane",
                                          InstructionClass::kMask, Charge::kActiveLanes,
                                          "true if no lane is active"};
   template <int W>
@@ -85,7 +85,7 @@ struct None {
 inline constexpr Instruction<None> none;
 
 struct Count {
-  static constexpr InstructionInfo kInfo{"count", "number of active lanes of a that are on",
+  static constexpr InstructionInfo kInfo{"count", "x = number of active i with a[i]",
                                          InstructionClass::kMask};
   template <int W>
   LANESCOPE_INLINE static int apply(Mask<W> active, Mask<W> a) {
@@ -95,7 +95,7 @@ struct Count {
 inline constexpr Instruction<Count> count;
 
 struct First {
-  static constexpr InstructionInfo kInfo{"first", "lowest active lane of a that is on, or -1",
+  static constexpr InstructionInfo kInfo{"first", "x = lowest active i with a[i], or -1",
                                          InstructionClass::kMask};
   template <int W>
   LANESCOPE_INLINE static int apply(Mask<W> active, Mask<W> a) {

@@ -129,7 +129,8 @@ inline constexpr Instruction<Scatter> scatter;
 /// load_pair(on, memory, record): a std::pair of vectors.
 struct LoadPair {
   static constexpr InstructionInfo kInfo{
-      "load_pair", "(r[i], s[i]) = record first + i of two words", InstructionClass::kMemory};
+      "load_pair", "(r[i], s[i]) = memory[2 k], memory[2 k + 1], k = record + i",
+      InstructionClass::kMemory};
   template <int W, class T>
   LANESCOPE_INLINE static auto apply(Mask<W> active, Memory<T> memory, std::int64_t record) {
     using V = Vec<std::remove_const_t<T>, W>;
@@ -154,7 +155,8 @@ inline constexpr Instruction<LoadPair> load_pair;
 /// gather_pair(on, memory, index[, rest_r, rest_s]): a std::pair of vectors.
 struct GatherPair {
   static constexpr InstructionInfo kInfo{
-      "gather_pair", "(r[i], s[i]) = record index[i] of two words", InstructionClass::kMemory};
+      "gather_pair", "(r[i], s[i]) = memory[2 k], memory[2 k + 1], k = index[i]",
+      InstructionClass::kMemory};
   static constexpr int kRest = 2;
   template <int W, class T>
   LANESCOPE_INLINE static auto apply(
@@ -174,8 +176,9 @@ inline constexpr Instruction<GatherPair> gather_pair;
 
 /// scatter_pair(on, memory, index, v, w); in lane order.
 struct ScatterPair {
-  static constexpr InstructionInfo kInfo{
-      "scatter_pair", "record index[i] of two words = (v[i], w[i])", InstructionClass::kMemory};
+  static constexpr InstructionInfo kInfo{"scatter_pair",
+                                         "memory[2 k], memory[2 k + 1] = v[i], w[i], k = index[i]",
+                                         InstructionClass::kMemory};
   template <int W, class T>
   LANESCOPE_INLINE static void apply(Mask<W> active, Memory<T> memory,
                                      const Vec<std::int32_t, W>& index, const Vec<T, W>& v,

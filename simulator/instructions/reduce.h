@@ -69,7 +69,7 @@ LANESCOPE_INLINE T extreme(Mask<W> active, const Vec<T, W>& a, T none, F&& f) {
 /// Floats are compared as integers of the same order, in which -0 is below +0: see ordered_bits().
 struct Hmax {
   static constexpr InstructionInfo kInfo{
-      "hmax", "maximum of the active a[i]", InstructionClass::kReduce, Charge::kActiveLanes,
+      "hmax", "x = maximum of the active a[i]", InstructionClass::kReduce, Charge::kActiveLanes,
       "not-a-number only if every active lane is that, else they do not count; +0 is above -0; "
       "-infinity or the lowest integer if no lane is active"};
   template <int W, class T>
@@ -82,7 +82,7 @@ inline constexpr Instruction<Hmax> hmax;
 
 struct Hmin {
   static constexpr InstructionInfo kInfo{
-      "hmin", "minimum of the active a[i]", InstructionClass::kReduce, Charge::kActiveLanes,
+      "hmin", "x = minimum of the active a[i]", InstructionClass::kReduce, Charge::kActiveLanes,
       "not-a-number only if every active lane is that, else they do not count; -0 is below +0; "
       "infinity or the highest integer if no lane is active"};
   template <int W, class T>
@@ -94,7 +94,7 @@ struct Hmin {
 inline constexpr Instruction<Hmin> hmin;
 
 struct Hadd {
-  static constexpr InstructionInfo kInfo{"hadd", "sum of the active a[i], in lane order",
+  static constexpr InstructionInfo kInfo{"hadd", "x = sum of the active a[i], in lane order",
                                          InstructionClass::kReduce, Charge::kActiveLanes,
                                          "begins with +0, which is also the sum of no lane"};
   template <int W, class T>
@@ -110,7 +110,7 @@ struct Hadd {
 inline constexpr Instruction<Hadd> hadd;
 
 struct Hand {
-  static constexpr InstructionInfo kInfo{"hand", "bitwise and of the active a[i]",
+  static constexpr InstructionInfo kInfo{"hand", "x = bitwise and of the active a[i]",
                                          InstructionClass::kReduce, Charge::kActiveLanes,
                                          "all bits set if no lane is active"};
   template <int W, host::Integers T>
@@ -121,7 +121,7 @@ struct Hand {
 inline constexpr Instruction<Hand> hand;
 
 struct Hor {
-  static constexpr InstructionInfo kInfo{"hor", "bitwise or of the active a[i]",
+  static constexpr InstructionInfo kInfo{"hor", "x = bitwise or of the active a[i]",
                                          InstructionClass::kReduce, Charge::kActiveLanes,
                                          "0 if no lane is active"};
   template <int W, host::Integers T>

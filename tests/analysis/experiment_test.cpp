@@ -5,9 +5,11 @@
 
 #include "analysis/experiment/draw.h"
 #include "analysis/experiment/observation.h"
+#include "analysis/experiment/width_independence.h"
 #include "analysis/report/report_json.h"
 #include "kernels/micropolygons/frame.h"
 #include "simulator/base/error.h"
+#include "simulator/check.h"
 #include "tests/analysis/configured.h"
 #include "tests/analysis/test_kind.h"
 
@@ -95,6 +97,26 @@ TEST(Experiment, UncountedRunsHaveNoCounts) {
             counted.runs[0].output.counter("samples_covered"));
   EXPECT_EQ(uncounted.runs[0].results_hash, counted.runs[0].results_hash);
   EXPECT_EQ(uncounted.runs[0].output.hash, counted.runs[0].output.hash);
+}
+
+TEST(Experiment, ChecksThatResultsDoNotDependOnTheWidth) {
+  Configuration narrow = small("repack", 7, "quad");
+  narrow.mode = Mode::kChecked;
+  Configuration wide = narrow;
+  wide.width = 64;
+  Report report = run_experiment({narrow, wide}, {});
+  ++report.runs[1].results_hash;
+  try {
+    require_width_independence(report.runs);
+    ADD_FAILURE() << "nothing was found";
+  } catch (const FailedCheck& e) {
+    EXPECT_EQ(e.check(), Check::kWidth);
+    EXPECT_NE(std::string(e.what()).find("results at W = 64 are not those at W = 7"),
+              std::string::npos)
+        << e.what();
+  }
+  report.runs[1].configuration.arguments.set("micropolygon", std::string("triangle"));
+  EXPECT_NO_THROW(require_width_independence(report.runs));
 }
 
 TEST(Experiment, ExplainsEveryInstructionThatWasIssued) {

@@ -8,7 +8,6 @@
 
 #include "simulator/base/error.h"
 #include "simulator/instruction_reference.h"
-#include "simulator/instruction_set.h"
 #include "tests/repository/source_files.h"
 
 namespace lanescope {
@@ -26,10 +25,10 @@ TEST(Sources, AreOfReadableLength) {
   }
 }
 
-/// docs/instructions.md is made from the descriptors, and nothing else is in it.
+/// docs/instructions.md is made from the structs, and nothing else is in it.
 TEST(Documents, TheInstructionReferenceIsCurrent) {
   EXPECT_EQ(test::read_text(kRoot / "docs" / "instructions.md"),
-            instruction_reference(instruction_set()))
+            instruction_reference(reference_entries()))
       << "run scripts/update-instruction-reference";
 }
 

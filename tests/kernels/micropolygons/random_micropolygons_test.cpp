@@ -8,28 +8,34 @@
 #include <set>
 
 #include "tests/kernels/micropolygons/runs.h"
+#include "workloads/micropolygons/grid.h"
 
 namespace lanescope {
 namespace {
 
-/// A coordinate: mostly near a 12 x 12 frame and on the sub-pixel grid, at times far out, huge,
-/// infinite or not a number.
-rc::Gen<float> coordinate() {
+/// A coordinate: mostly near a 12 x 12 frame and on the sub-pixel grid, at times far out; a wild
+/// one at times huge, infinite or not a number.
+rc::Gen<float> coordinate(bool wild) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  return rc::gen::weightedOneOf<float>({
+  const auto tame = rc::gen::weightedOneOf<float>({
       {60, rc::gen::map(rc::gen::inRange(-512, 13 * 256),
                         [](int step) { return static_cast<float>(step) * kSubpixel; })},
       {10,
        rc::gen::map(rc::gen::inRange(0, 13), [](int cell) { return static_cast<float>(cell); })},
       {4, rc::gen::map(rc::gen::inRange(-40, 40),
                        [](int tens) { return static_cast<float>(tens) * 10.5f; })},
-      {2, rc::gen::element(1e30f, -1e30f, 3e38f, 1e-40f, -0.0f, 16777216.0f)},
+      {1, rc::gen::element(1e-40f, -0.0f, kMaxCoordinateCells, -kMaxCoordinateCells)},
+  });
+  if (!wild) return tame;
+  return rc::gen::weightedOneOf<float>({
+      {75, tame},
+      {2, rc::gen::element(1e30f, -1e30f, 3e38f, 16777216.0f)},
       {1, rc::gen::element(kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN())},
   });
 }
 
-rc::Gen<Vertex> vertex() {
-  return rc::gen::map(rc::gen::tuple(coordinate(), coordinate(), rc::gen::inRange(0, 1000)),
+rc::Gen<Vertex> vertex(bool wild) {
+  return rc::gen::map(rc::gen::tuple(coordinate(wild), coordinate(wild), rc::gen::inRange(0, 1000)),
                       [](const auto& v) {
                         const auto [x, y, shade] = v;
                         const float s = static_cast<float>(shade) / 999.0f;
@@ -38,9 +44,9 @@ rc::Gen<Vertex> vertex() {
 }
 
 /// A micropolygon; at times two of its corners coincide.
-rc::Gen<std::vector<Vertex>> micropolygon(Micropolygon shape) {
-  return rc::gen::map(rc::gen::pair(rc::gen::container<std::vector<Vertex>>(
-                                        static_cast<std::size_t>(corner_count(shape)), vertex()),
+rc::Gen<std::vector<Vertex>> micropolygon(Micropolygon shape, bool wild) {
+  const auto corners = static_cast<std::size_t>(corner_count(shape));
+  return rc::gen::map(rc::gen::pair(rc::gen::container<std::vector<Vertex>>(corners, vertex(wild)),
                                     rc::gen::inRange(0, 8)),
                       [](auto drawn) {
                         if (drawn.second == 0) drawn.first[1] = drawn.first[0];
@@ -49,8 +55,9 @@ rc::Gen<std::vector<Vertex>> micropolygon(Micropolygon shape) {
 }
 
 Packet draw_packet(Micropolygon shape) {
-  const auto polygons =
-      *rc::gen::nonEmpty(rc::gen::container<std::vector<std::vector<Vertex>>>(micropolygon(shape)));
+  const bool wild = *rc::gen::arbitrary<bool>();
+  const auto polygons = *rc::gen::nonEmpty(
+      rc::gen::container<std::vector<std::vector<Vertex>>>(micropolygon(shape, wild)));
   Packet packet(shape, static_cast<int>(polygons.size()));
   for (const auto& corners : polygons) packet.append(corners.data());
   return packet;

@@ -45,7 +45,8 @@ Packet squares(int columns, int rows, float size);
 void expect_same(const Kernel& kernel, const Outcome& outcome, const Outcome& reference);
 
 /// Expects every kernel, in every mode, at the widths that it has of these and with both kinds of
-/// edges, to agree with the reference on the packet.
+/// edges, to agree with the reference on the packet. Of corners that no source emits checked mode
+/// may report that they overflow.
 void expect_agreement(const Packet& packet, const SampleGrid& grid, bool cull_backfaces,
                       const std::vector<int>& widths);
 
