@@ -68,7 +68,7 @@ concept HasApply = !requires {
 
 /// What one lane holds.
 template <class T>
-concept LaneValue =
+concept LaneElement =
     std::same_as<T, float> || std::same_as<T, std::int32_t> || std::same_as<T, std::uint32_t>;
 
 template <class Op>
@@ -77,8 +77,8 @@ inline constexpr int kBodies = HasLane<Op> + HasHolds<Op> + HasApply<Op>;
 /// Whether a function takes values of lanes, and gives one, or a bool.
 template <bool kGivesBool, class R, class... Operands>
 constexpr bool is_on_lanes(R (*)(Operands...)) {
-  return (LaneValue<std::remove_cvref_t<Operands>> && ...) && sizeof...(Operands) > 0 &&
-         (kGivesBool ? std::same_as<R, bool> : LaneValue<R>);
+  return (LaneElement<std::remove_cvref_t<Operands>> && ...) && sizeof...(Operands) > 0 &&
+         (kGivesBool ? std::same_as<R, bool> : LaneElement<R>);
 }
 /// Of members that are no static functions.
 template <bool kGivesBool>

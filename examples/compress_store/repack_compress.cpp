@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "repack_compress.h"
 
-#include "examples/compress_store/starters.h"
 #include "kernels/micropolygons/descriptors.h"
+#include "starters.h"
 
 namespace lanescope {
 
@@ -12,6 +12,6 @@ constexpr const InstructionInfo* kInstructions[] = {&FrameMerge::kInfo, &Compres
 extern const Kernel k_repack_compress;
 const Kernel k_repack_compress =
     repack_kernel("repack_compress", "REPACK with compress_store and expand_load",
-                  start_repack_compress, kInstructions);
+                  most_width_of_repack_compress(), start_repack_compress, kInstructions);
 
 }  // namespace lanescope

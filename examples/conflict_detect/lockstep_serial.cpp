@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "lockstep_serial.h"
 
-#include "examples/conflict_detect/starters.h"
 #include "kernels/micropolygons/descriptors.h"
+#include "starters.h"
 
 namespace lanescope {
 
 extern const Kernel k_lockstep_serial;
-const Kernel k_lockstep_serial =
-    lockstep_kernel("lockstep_serial", "LOCKSTEP, each hit written by itself",
-                    start_lockstep_serial, kFrameWriteInstructions);
+const Kernel k_lockstep_serial = lockstep_kernel(
+    "lockstep_serial", "LOCKSTEP, each hit written by itself", most_width_of_lockstep_serial(),
+    start_lockstep_serial, kFrameWriteInstructions);
 
 }  // namespace lanescope

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "repack_records.h"
 
-#include "examples/scatter_record/starters.h"
 #include "kernels/micropolygons/descriptors.h"
+#include "starters.h"
 
 namespace lanescope {
 
@@ -12,6 +12,6 @@ constexpr const InstructionInfo* kInstructions[] = {&FrameMerge::kInfo, &Scatter
 extern const Kernel k_repack_records;
 const Kernel k_repack_records =
     repack_kernel("repack_records", "REPACK whose hits carry their edge values",
-                  start_repack_records, kInstructions);
+                  most_width_of_repack_records(), start_repack_records, kInstructions);
 
 }  // namespace lanescope

@@ -5,13 +5,12 @@
 #include "kernels/micropolygons/lockstep.h"
 #include "kernels/micropolygons/options.h"
 #include "kernels/micropolygons/repack.h"
-#include "kernels/widths.h"
 #include "workloads/micropolygons/workload.h"
 
 namespace lanescope {
 
-Kernel lockstep_kernel(std::string_view name, std::string_view summary, StartExecution start,
-                       std::span<const InstructionInfo* const> instructions) {
+Kernel lockstep_kernel(std::string_view name, std::string_view summary, int most_width,
+                       StartExecution start, std::span<const InstructionInfo* const> instructions) {
   return {
       .name = name,
       .summary = summary,
@@ -24,15 +23,15 @@ Kernel lockstep_kernel(std::string_view name, std::string_view summary, StartExe
       .output_counters = kFrameCounters,
       .element = kMicropolygon,
       .instructions = instructions,
-      .most_width = kMostLanes,
+      .most_width = most_width,
       .open = open_frame,
       .output_bytes = frame_bytes,
       .start = start,
   };
 }
 
-Kernel repack_kernel(std::string_view name, std::string_view summary, StartExecution start,
-                     std::span<const InstructionInfo* const> instructions) {
+Kernel repack_kernel(std::string_view name, std::string_view summary, int most_width,
+                     StartExecution start, std::span<const InstructionInfo* const> instructions) {
   return {
       .name = name,
       .summary = summary,
@@ -46,7 +45,7 @@ Kernel repack_kernel(std::string_view name, std::string_view summary, StartExecu
       .output_counters = kFrameCounters,
       .element = kMicropolygon,
       .instructions = instructions,
-      .most_width = kMostLanes,
+      .most_width = most_width,
       .open = open_frame,
       .output_bytes = frame_bytes,
       .start = start,

@@ -10,15 +10,15 @@
 
 namespace lanescope {
 
-/// The descriptor of LOCKSTEP in the form that `start` starts. `instructions` are those that it may
-/// issue beside the instruction set.
+/// The descriptor of LOCKSTEP in the form that `start` starts, at widths up to `most_width`.
+/// `instructions` are those that it may issue beside the instruction set.
 Kernel lockstep_kernel(
-    std::string_view name, std::string_view summary, StartExecution start,
+    std::string_view name, std::string_view summary, int most_width, StartExecution start,
     std::span<const InstructionInfo* const> instructions = kRasterizerInstructions);
 
 /// The descriptor of REPACK in the form that `start` starts; likewise.
 Kernel repack_kernel(
-    std::string_view name, std::string_view summary, StartExecution start,
+    std::string_view name, std::string_view summary, int most_width, StartExecution start,
     std::span<const InstructionInfo* const> instructions = kRasterizerInstructions);
 
 }  // namespace lanescope

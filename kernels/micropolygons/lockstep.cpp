@@ -7,6 +7,6 @@ namespace lanescope {
 extern const Kernel k_lockstep;
 const Kernel k_lockstep =
     lockstep_kernel("lockstep", "W micropolygons in lockstep, one in each lane (the thesis, 3.2.1)",
-                    start_lockstep);
+                    most_width_of_lockstep(), start_lockstep);
 
 }  // namespace lanescope
