@@ -8,6 +8,7 @@
 
 #include "analysis/cli/command.h"
 #include "analysis/cli/defaults.h"
+#include "analysis/machines/description.h"
 #include "analysis/tables/table.h"
 #include "kernels/kernel.h"
 
@@ -85,14 +86,22 @@ std::string list_parameters() {
   return text;
 }
 
+std::string list_machines() {
+  std::string text;
+  for (const MachineDescription& machine : shipped_machines())
+    text += line(machine.name, machine.summary);
+  return text;
+}
+
 std::string list_commands() { return name_and_summary(commands()); }
 
-constexpr std::array<List, 8> kLists{{{"kernels", list_kernels},
+constexpr std::array<List, 9> kLists{{{"kernels", list_kernels},
                                       {"workloads", list_workloads},
                                       {"scenes", list_scenes},
                                       {kInstructionList, list_instructions},
                                       {"parameters", list_parameters},
                                       {"tables", list_tables},
+                                      {"machines", list_machines},
                                       {"studies", list_studies},
                                       {"commands", list_commands}}};
 

@@ -32,8 +32,10 @@ struct RunValue {
 /// Collects the figures of a run.
 class RunValues {
  public:
-  /// `with_observed`: also what depends on which pieces of work were observed.
-  RunValues(const RunRecord& run, bool with_observed) : run_(run), with_observed_(with_observed) {
+  /// `with_observed`: also what depends on which pieces of work were observed; `with_groups`: also
+  /// the groups of lanes among that.
+  RunValues(const RunRecord& run, bool with_observed, bool with_groups)
+      : run_(run), with_observed_(with_observed), with_groups_(with_groups) {
     add_run();
     for (const StageRecord& stage : run.stages) add_stage(stage);
     for (const SeriesRecord& series : run.series) add_list("", series.name, series.values);
@@ -108,7 +110,14 @@ class RunValues {
       add_detail(stage.name, memory.mnemonic + " conflicts", memory.conflicts);
       add_list(stage.name, memory.mnemonic + " lines_histogram", memory.lines_histogram);
     }
+    if (!with_groups_) return;
+    for (const LaneGroupRecord& record : stage.lane_groups) {
+      add_list(stage.name, record.mnemonic + " active_groups", counts_of(record.groups.active));
+      add_list(stage.name, record.mnemonic + " dense_groups", counts_of(record.groups.dense));
+    }
   }
+
+  static Counts counts_of(const GroupCounts& groups) { return {groups.begin(), groups.end()}; }
 
   static constexpr const char* kAllStages = "All stages";
   static constexpr const char* kSource = "Source";
@@ -116,6 +125,7 @@ class RunValues {
 
   const RunRecord& run_;
   bool with_observed_;
+  bool with_groups_;
   std::vector<RunValue> values_;
 };
 
@@ -153,12 +163,19 @@ double size_of(const Change& change) {
   return change.relative ? std::abs(*change.relative) : std::numeric_limits<double>::infinity();
 }
 
+/// Reports of earlier programs do not have the groups of lanes.
+bool has_groups(const RunRecord& run) {
+  return std::any_of(run.stages.begin(), run.stages.end(),
+                     [](const StageRecord& stage) { return !stage.lane_groups.empty(); });
+}
+
 std::vector<Change> changes_between(const RunRecord& before, const RunRecord& after,
                                     double tolerance) {
   const bool with_observed =
       before.configuration.observe_every == after.configuration.observe_every;
-  const RunValues old(before, with_observed);
-  const RunValues now(after, with_observed);
+  const bool with_groups = has_groups(before) && has_groups(after);
+  const RunValues old(before, with_observed, with_groups);
+  const RunValues now(after, with_observed, with_groups);
   // A name may be that of several figures, say of a counter and a series: those are in one order.
   std::multimap<std::pair<std::string, std::string>, const RunValue*> unseen;
   for (const RunValue& value : now.all())

@@ -52,6 +52,11 @@ void MemoryAndSource::issued(const IssueEvent& event) {
   sum.issued += 1;
   sum.active += event.charged();
   sum.overhead += event.overhead;
+  if (event.active != latest_mask_) {
+    latest_mask_ = event.active;
+    latest_groups_ = lane_groups_of(event.active);
+  }
+  sum.groups += latest_groups_;
   if (event.info.instruction_class == InstructionClass::kMemory || !event.touches.empty())
     add_touches(memory_of(sum), event);
 }
@@ -96,10 +101,26 @@ MemoryAndSource& MemoryAndSource::operator+=(const MemoryAndSource& other) {
     sum.issued += from.issued;
     sum.active += from.active;
     sum.overhead += from.overhead;
+    sum.groups += from.groups;
     if (from.memory != kNone) memory_of(sum) += other.memory_[from.memory];
   });
   return *this;
 }
+
+namespace {
+
+/// The records of a map by mnemonic, with it.
+template <class Record>
+std::vector<Record> with_mnemonics(std::map<std::string_view, Record> by_mnemonic) {
+  std::vector<Record> records;
+  for (auto& [mnemonic, record] : by_mnemonic) {
+    record.mnemonic = mnemonic;
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+}  // namespace
 
 std::vector<MemoryRecord> MemoryAndSource::memory(std::size_t stage) const {
   std::map<std::string_view, MemoryRecord> by_mnemonic;
@@ -107,12 +128,16 @@ std::vector<MemoryRecord> MemoryAndSource::memory(std::size_t stage) const {
     if (sum.place.stage == stage && sum.memory != kNone)
       by_mnemonic[sum.place.info->mnemonic] += memory_[sum.memory];
   });
-  std::vector<MemoryRecord> records;
-  for (auto& [mnemonic, record] : by_mnemonic) {
-    record.mnemonic = mnemonic;
-    records.push_back(std::move(record));
-  }
-  return records;
+  return with_mnemonics(std::move(by_mnemonic));
+}
+
+std::vector<LaneGroupRecord> MemoryAndSource::lane_groups(std::size_t stage) const {
+  std::map<std::string_view, LaneGroupRecord> by_mnemonic;
+  for_each_sum([&](const Sum& sum) {
+    if (sum.place.stage == stage)
+      by_mnemonic[sum.place.info->mnemonic] += LaneGroupRecord{{}, sum.issued, sum.groups};
+  });
+  return with_mnemonics(std::move(by_mnemonic));
 }
 
 std::vector<SourceLineRecord> MemoryAndSource::source_lines(

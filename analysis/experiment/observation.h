@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a tracing machine shows beside what a counting one counts: the lines of memory that
-// instructions touch, and the lines of source that issue them.
+// instructions touch, the groups that their lanes fall into, and the lines of source that issue
+// them.
 #pragma once
 
 #include <algorithm>
@@ -55,6 +56,8 @@ class MemoryAndSource final : public Observer {
 
   /// The memory instructions of a stage, by mnemonic.
   std::vector<MemoryRecord> memory(std::size_t stage) const;
+  /// The groups of the lanes of every instruction of a stage, by mnemonic.
+  std::vector<LaneGroupRecord> lane_groups(std::size_t stage) const;
   /// By file, line, stage and block. `stages` names the kernel's stages.
   std::vector<SourceLineRecord> source_lines(std::span<const std::string_view> stages) const;
 
@@ -73,13 +76,14 @@ class MemoryAndSource final : public Observer {
              block.file_name() == other.block.file_name();
     }
   };
-  /// A line of cache, as every instruction looks for one.
+  /// Begins with a line of cache, as every instruction looks for one.
   struct alignas(64) Sum {
     Place place;
     std::uint64_t issued = 0;
     std::uint64_t active = 0;
     std::uint64_t overhead = 0;
     std::size_t memory = kNone;  ///< Place in memory_, or kNone.
+    LaneGroups groups{};
   };
   static constexpr std::size_t kNone = ~std::size_t{0};
 
@@ -103,6 +107,8 @@ class MemoryAndSource final : public Observer {
       std::vector<Sum>(256);  ///< By hash of place; a power of two, half of them free.
   std::size_t places_ = 0;
   std::vector<MemoryRecord> memory_;  ///< Of the places that access memory; without mnemonics.
+  std::uint64_t latest_mask_ = 0;     ///< Instructions of a block have the same.
+  LaneGroups latest_groups_;          ///< Of that mask.
   FewNumbers lines_touched_;
   FewNumbers elements_stored_;
 };

@@ -13,8 +13,12 @@ std::vector<StageRecord> stage_records(const Kernel& kernel, const Counts& count
   std::vector<StageRecord> records;
   for (std::size_t i = 0; i < counts.stages.size(); ++i) {
     const StageCounts& stage = counts.stages[i];
-    StageRecord record{
-        std::string(kernel.stages[i]), {}, stage.lane_active, stage.histogram, seen.memory(i)};
+    StageRecord record{std::string(kernel.stages[i]),
+                       {},
+                       stage.lane_active,
+                       stage.histogram,
+                       seen.memory(i),
+                       seen.lane_groups(i)};
     for (const InstructionCounts& c : stage.instructions)
       record.instructions.push_back({std::string(c.info->mnemonic), c.issued, c.active,
                                      c.overhead_issued, c.overhead_active});

@@ -36,6 +36,12 @@ MemoryRecord& MemoryRecord::operator+=(const MemoryRecord& other) {
   return *this;
 }
 
+LaneGroupRecord& LaneGroupRecord::operator+=(const LaneGroupRecord& other) {
+  issued += other.issued;
+  groups += other.groups;
+  return *this;
+}
+
 InstructionRecord StageRecord::total() const {
   InstructionRecord sum;
   for (const InstructionRecord& counts : instructions) sum += counts;

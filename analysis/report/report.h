@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/configuration/configuration.h"
+#include "analysis/report/lane_groups.h"
 
 namespace lanescope {
 
@@ -46,12 +47,25 @@ struct MemoryRecord {
   MemoryRecord& operator+=(const MemoryRecord& other);
 };
 
+/// How the lanes of one instruction fell into groups within a stage, over the executions that were
+/// observed.
+struct LaneGroupRecord {
+  std::string mnemonic;
+  std::uint64_t issued = 0;  ///< Executions observed.
+  LaneGroups groups{};       ///< Summed over executions.
+
+  /// Adds counts of other executions; the mnemonic stays.
+  LaneGroupRecord& operator+=(const LaneGroupRecord& other);
+};
+
 struct StageRecord {
   std::string name;
   std::vector<InstructionRecord> instructions;  ///< By mnemonic.
   std::vector<std::uint64_t> lane_active;       ///< [W] instructions issued with lane i on.
   std::vector<std::uint64_t> histogram;         ///< [W + 1] instructions issued with k lanes on.
   std::vector<MemoryRecord> memory;             ///< By mnemonic; see Observation.
+  /// By mnemonic; empty if no piece was observed, and in reports of earlier programs.
+  std::vector<LaneGroupRecord> lane_groups{};
 
   /// Sum over the instructions; without a mnemonic.
   InstructionRecord total() const;

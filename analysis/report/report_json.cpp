@@ -72,13 +72,21 @@ Json memory_json(const MemoryRecord& memory) {
           {"conflicts", memory.conflicts}};
 }
 
+Json lane_groups_json(const LaneGroupRecord& record) {
+  return {{"mnemonic", record.mnemonic},
+          {"issued", record.issued},
+          {"active_groups", record.groups.active},
+          {"dense_groups", record.groups.dense}};
+}
+
 Json stage_json(const StageRecord& stage, int width) {
   return {{"name", stage.name},
           {"utilization", ratio_json(utilization(stage, width))},
           {"instructions", list_json(stage.instructions, instruction_json)},
           {"lane_active", stage.lane_active},
           {"histogram", stage.histogram},
-          {"memory", list_json(stage.memory, memory_json)}};
+          {"memory", list_json(stage.memory, memory_json)},
+          {"lane_groups", list_json(stage.lane_groups, lane_groups_json)}};
 }
 
 Json series_json(const SeriesRecord& series) {

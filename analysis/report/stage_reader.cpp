@@ -31,8 +31,8 @@ class StageReader {
   StageReader(int width, const Charges& charges) : width_(width), charges_(charges) {}
 
   StageRecord read(const JsonCursor& cursor) const {
-    cursor.require_members(
-        {"name", "utilization", "instructions", "lane_active", "histogram", "memory"});
+    cursor.allow_members({"name", "utilization", "instructions", "lane_active", "histogram",
+                          "memory", "lane_groups"});
     StageRecord stage;
     stage.name = cursor.member("name").string();
     stage.instructions = read_named(cursor.member("instructions"), "mnemonic",
@@ -43,6 +43,9 @@ class StageReader {
     check_lanes(cursor, stage);
     stage.memory = read_named(cursor.member("memory"), "mnemonic",
                               [&](const JsonCursor& c) { return read_memory(c, stage); });
+    if (cursor.has_member("lane_groups"))  // Reports of earlier programs lack them.
+      stage.lane_groups = read_named(cursor.member("lane_groups"), "mnemonic",
+                                     [&](const JsonCursor& c) { return read_groups(c, stage); });
     return stage;
   }
 
@@ -124,22 +127,61 @@ class StageReader {
                   "which the histogram gives");
   }
 
+  LaneGroupRecord read_groups(const JsonCursor& cursor, const StageRecord& stage) const {
+    cursor.require_members({"mnemonic", "issued", "active_groups", "dense_groups"});
+    const LaneGroupRecord record{cursor.member("mnemonic").string(),
+                                 cursor.member("issued").count(),
+                                 {read_group_counts(cursor.member("active_groups")),
+                                  read_group_counts(cursor.member("dense_groups"))}};
+    const InstructionRecord& counts = counts_of(cursor.member("mnemonic"), stage);
+    require_at_most(cursor.member("issued"), counts.issued, "which were issued");
+    check_groups(cursor, record);
+    return record;
+  }
+
+  GroupCounts read_group_counts(const JsonCursor& cursor) const {
+    const CountList list = read_counts(cursor, static_cast<int>(kGroupLanes.size()));
+    GroupCounts counts;
+    std::copy(list.begin(), list.end(), counts.begin());
+    return counts;
+  }
+
+  /// Checks that groups are of the lanes of so many executions.
+  void check_groups(const JsonCursor& cursor, const LaneGroupRecord& record) const {
+    const std::vector<JsonCursor> active = cursor.member("active_groups").items();
+    const std::vector<JsonCursor> dense = cursor.member("dense_groups").items();
+    require_count(dense.front(), record.groups.active.front(), "the lanes that were on");
+    for (std::size_t place = 0; place < kGroupLanes.size(); ++place) {
+      const auto size = static_cast<std::uint64_t>(kGroupLanes[place]);
+      const auto width = static_cast<std::uint64_t>(width_);
+      require_at_most(active[place], record.issued * ((width + size - 1) / size),
+                      "the groups of those observed");
+      require_at_most(dense[place], record.groups.active[place], "the groups with a lane on");
+    }
+  }
+
+  /// What was issued in the stage of an instruction observed.
+  static const InstructionRecord& counts_of(const JsonCursor& mnemonic, const StageRecord& stage) {
+    const std::string name = mnemonic.string();
+    const auto counts = std::find_if(stage.instructions.begin(), stage.instructions.end(),
+                                     [&](const auto& other) { return other.mnemonic == name; });
+    if (counts == stage.instructions.end())
+      mnemonic.fail("the mnemonic of an instruction of this stage");
+    return *counts;
+  }
+
   /// Checks that executions were observed of what was issued. Lanes observed are those that were
   /// on, whatever the instruction is charged: they are among the lanes charged only if those are
   /// the active ones.
   void check_observed(const JsonCursor& cursor, const MemoryRecord& memory,
                       const StageRecord& stage) const {
-    const auto counts =
-        std::find_if(stage.instructions.begin(), stage.instructions.end(),
-                     [&](const auto& other) { return other.mnemonic == memory.mnemonic; });
-    if (counts == stage.instructions.end())
-      cursor.member("mnemonic").fail("the mnemonic of an instruction of this stage");
-    require_at_most(cursor.member("issued"), counts->issued, "which were issued");
+    const InstructionRecord& counts = counts_of(cursor.member("mnemonic"), stage);
+    require_at_most(cursor.member("issued"), counts.issued, "which were issued");
     const std::uint64_t slots = lane_slots(memory.issued);
     require_at_most(cursor.member("active"), slots, "the lane slots of those observed");
     const bool charges_active = charge_of(cursor.member("mnemonic")) == Charge::kActiveLanes;
     if (charges_active)
-      require_at_most(cursor.member("active"), counts->active, "which were active");
+      require_at_most(cursor.member("active"), counts.active, "which were active");
     require_at_most(cursor.member("conflicts"), charges_active ? memory.active : slots,
                     charges_active ? "which were active" : "the lane slots of those observed");
   }

@@ -46,7 +46,7 @@ TEST_P(BadCommandLines, EndWithStatus2AndOneLine) {
 
 const std::string kScenes = "ballroll, columnpivot, tigerjump, talking or teapot";
 const std::string kLists =
-    "kernels, workloads, scenes, instructions, parameters, tables, studies or commands";
+    "kernels, workloads, scenes, instructions, parameters, tables, machines, studies or commands";
 
 const std::vector<BadLine> kBadLines{
     // Commands and their arguments.
@@ -236,7 +236,19 @@ const std::vector<BadLine> kBadLines{
     {"csv a.json --rows stage",
      "--rows: 'stage' is not instructions, stages or runs; did you mean 'stages'?"},
     {"csv /nonexistent/a.json", "/nonexistent/a.json: cannot be read: No such file or directory"},
-    {"schema version", "schema: unexpected argument 'version'"},
+    {"schema version", "schema: 'version' is not report or machine"},
+    {"machines", "machines: of what? Name a report"},
+    {"machines a.json --format jsn",
+     "--format: 'jsn' is not a format; use text, markdown, csv, latex or json; did you mean "
+     "'json'?"},
+    {"machines a.json --machine avx2 --machine avx2",
+     "--machine: two machines are named 'avx2'; each needs a name of its own"},
+    {"machines a.json --machine /nonexistent/m.json",
+     "/nonexistent/m.json: cannot be read: No such file or directory"},
+    {"crossover --kernels lockstep --resolution 48x30 --width 8",
+     "--kernels: 'lockstep' is 1 kernels; two are needed"},
+    {"crossover --from /nonexistent/a.json",
+     "/nonexistent/a.json: cannot be read: No such file or directory"},
     {"tables --out /dev/null/x", "/dev/null/x: cannot be created as a directory: Not a directory"},
 };
 

@@ -35,6 +35,7 @@ void furnish(const fs::path& directory) {
   write(directory / "examples" / "small-sweep.json",
         R"({"schema": {"name": "lanescope-sweep", "version": 1},
             "parameters": {"width_px": 48, "height_px": 30, "width_lanes": [8, 16]}})");
+  write(directory / "mine.json", R"({"name": "mine", "summary": "mine", "inherits": "avx2"})");
   fs::create_directories(directory / "out");
   const std::string run = "run --scene teapot --resolution 48x30 --width 8,16 --json ";
   for (const char* report : {"report.json", "a.json", "b.json"})

@@ -70,9 +70,10 @@ TEST(Layering, NothingIncludesTheAnalysis) {
 
 TEST(Layering, IncludesWithinAnalysisRunOneWay) {
   // Each folder may include itself and those before it.
-  const std::vector<std::string> order = {
-      "base",  "configuration", "report",     "tables",     "formats", "pictures", "experiment",
-      "sweep", "trace",         "annotation", "comparison", "html",    "studies",  "cli"};
+  const std::vector<std::string> order = {"base",     "configuration", "report",     "tables",
+                                          "formats",  "pictures",      "experiment", "sweep",
+                                          "machines", "trace",         "annotation", "comparison",
+                                          "html",     "studies",       "cli"};
   for_each_source("analysis", [&](const std::string& path, const std::string& text) {
     const auto room_of = [](const std::string& name) {
       const std::size_t begin = std::string("analysis/").size();

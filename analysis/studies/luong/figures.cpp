@@ -110,10 +110,8 @@ std::optional<double> conflicting_hits(const ReportView& view, const Series& ser
   return mean_counter_ratio(view, series, width, "conflict_hits", "hits");
 }
 
-std::optional<double> instructions_per_second(const ReportView& view, std::string_view facet,
+std::optional<double> instructions_per_second(const ReportView& view, const Series& series,
                                               bool before_culling) {
-  constexpr double kFramesPerSecond = 60.0;
-  const Series series{"lockstep", std::string(facet)};
   return view.mean(series, kClaimWidth, [&](const RunRecord& run) -> std::optional<double> {
     const auto each = instructions_per_element(run, kAllButSetup);
     const auto count =
@@ -121,6 +119,11 @@ std::optional<double> instructions_per_second(const ReportView& view, std::strin
     if (!each || !count) return std::nullopt;
     return *each * static_cast<double>(*count) * kFramesPerSecond;
   });
+}
+
+std::optional<double> instructions_of_a_unit() {
+  return quotient(thesis_value({"text_claims", "larrabee_units_at_60fps", "vector_ops_per_second"}),
+                  thesis_value({"text_claims", "larrabee_units_at_60fps", "triangles"}));
 }
 
 }  // namespace lanescope::luong

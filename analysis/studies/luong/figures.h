@@ -78,9 +78,15 @@ std::optional<double> conflicting_invocations(const ReportView& view, const Seri
 /// Hits of a sample that an earlier lane of the same invocation hit, over all hits.
 std::optional<double> conflicting_hits(const ReportView& view, const Series& series, int width);
 
-/// Instructions a second at 60 frames a second, at kClaimWidth on LOCKSTEP (4.3). With
-/// `before_culling`, as if micropolygons that are culled cost as much as the others.
-std::optional<double> instructions_per_second(const ReportView& view, std::string_view facet,
+/// Of the estimate of the thesis (4.3).
+inline constexpr double kFramesPerSecond = 60.0;
+
+/// Instructions a second at kFramesPerSecond, at kClaimWidth (4.3). With `before_culling`, as if
+/// micropolygons that are culled cost as much as the others.
+std::optional<double> instructions_per_second(const ReportView& view, const Series& series,
                                               bool before_culling);
+
+/// Instructions a second of a Larrabee unit: the thesis divides its 22 billion among 20 of them.
+std::optional<double> instructions_of_a_unit();
 
 }  // namespace lanescope::luong

@@ -76,12 +76,8 @@ std::optional<double> largest(std::optional<double> a, std::optional<double> b) 
   return std::max(*a, *b);
 }
 
-/// Processors of the thesis's speed: it divides its 22 billion instructions a second among 20.
-std::optional<double> larrabee_units(const ReportView& view, std::string_view facet) {
-  const auto rate =
-      thesis_value({"text_claims", "larrabee_units_at_60fps", "vector_ops_per_second"});
-  const auto units = thesis_value({"text_claims", "larrabee_units_at_60fps", "triangles"});
-  return quotient(instructions_per_second(view, facet, false), quotient(rate, units));
+std::optional<double> larrabee_units(const ReportView& view, const Series& series) {
+  return quotient(instructions_per_second(view, series, false), instructions_of_a_unit());
 }
 
 Json working_set_json(const ReportView& view) {
@@ -111,9 +107,10 @@ Json claims_json(const ReportView& view) {
           {"triangle_bytes", 3 * kVertexBytes},
           {"ops_per_mp_at_w16", or_null(instructions(view, kLockstepTriangle, kClaimWidth))},
           {"larrabee_units_at_60fps",
-           {{"triangles", or_null(larrabee_units(view, kTriangle))},
-            {"quads", or_null(larrabee_units(view, kQuad))},
-            {"vector_ops_per_second", or_null(instructions_per_second(view, kTriangle, false))}}}};
+           {{"triangles", or_null(larrabee_units(view, kLockstepTriangle))},
+            {"quads", or_null(larrabee_units(view, kLockstepQuad))},
+            {"vector_ops_per_second",
+             or_null(instructions_per_second(view, kLockstepTriangle, false))}}}};
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "analysis/tables/crossing.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include "analysis/html/markup.h"
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
-#include "analysis/studies/luong/charts/crossing_point.h"
 #include "analysis/studies/luong/charts/mp_columns.h"
 #include "analysis/studies/luong/charts/pairs.h"
 #include "analysis/studies/luong/figures.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/studies/luong/charts/crossing_point.h"
+#include "analysis/tables/crossing.h"
 #include "analysis/tables/report_view.h"
 
 namespace lanescope::luong {

@@ -164,7 +164,8 @@ void add_rate(TableData& data, const ReportView& view) {
   for (const bool before_culling : {false, true})
     data.rows.push_back(near_row(
         before_culling ? "Instructions, mp before culling" : "Instructions, mp rasterized",
-        {instructions_per_second(view, kTriangle, before_culling), thesis, &kBillions}, 0.15));
+        {instructions_per_second(view, kLockstepTriangle, before_culling), thesis, &kBillions},
+        0.15));
 }
 
 TableData build(const ReportView& view) {

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "analysis/html/guide.h"
-#include "analysis/studies/luong/charts/crossing_point.h"
 #include "analysis/studies/luong/study.h"
+#include "analysis/tables/crossing.h"
 #include "tests/analysis/studies/luong/sample_of_study.h"
 
 namespace lanescope::luong {
@@ -116,8 +116,9 @@ TEST(LuongPage, ItsSectionsTakeTheirPlacesAmongTheGeneralOnes) {
   std::vector<std::string> ids;
   for (const Section* section : plan.sections) ids.emplace_back(section->id);
   EXPECT_EQ(ids, (std::vector<std::string>{"answer", "headline", "utilization", "overhead",
-                                           "active-lanes", "lanes", "mix", "memory", "hot-lines",
-                                           "crossing", "quads", "working-set", "against-thesis"}));
+                                           "active-lanes", "lanes", "mix", "memory", "machines",
+                                           "hot-lines", "crossing", "quads", "working-set",
+                                           "against-thesis"}));
   EXPECT_EQ(plan.sections.front(), luong_sections().front());
   EXPECT_EQ(plan.scenes,
             (std::vector<std::string>{"ballroll", "columnpivot", "tigerjump", "talking"}));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/studies/luong/charts/crossing_point.h"
+#include "analysis/tables/crossing.h"
 
 #include <cmath>
 
-namespace lanescope::luong {
+namespace lanescope {
 
 std::optional<double> crossing_point(const std::vector<CostRatio>& ratios) {
   for (std::size_t i = 0; i < ratios.size(); ++i) {
@@ -18,4 +18,4 @@ std::optional<double> crossing_point(const std::vector<CostRatio>& ratios) {
   return std::nullopt;
 }
 
-}  // namespace lanescope::luong
+}  // namespace lanescope

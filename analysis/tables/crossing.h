@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace lanescope::luong {
+namespace lanescope {
 
 /// The cost of one kernel over that of another at a width.
 struct CostRatio {
@@ -17,4 +17,4 @@ struct CostRatio {
 /// log2 W; the least of several. None if it stays on one side. Requires ascending widths.
 std::optional<double> crossing_point(const std::vector<CostRatio>& ratios);
 
-}  // namespace lanescope::luong
+}  // namespace lanescope
