@@ -94,6 +94,18 @@ double Sensitivity::changed() const {
   return most;
 }
 
+std::optional<double> Sensitivity::break_even() const {
+  if (halved.widths.empty() || doubled.widths.empty()) return std::nullopt;
+  const auto lead = [](const Crossover& with) {
+    return with.widths.back().second - with.widths.back().first;
+  };
+  // Linear in the factor.
+  const double slope = (lead(doubled) - lead(halved)) / (2.0 - 0.5);
+  if (slope == 0.0) return std::nullopt;
+  const double factor = 0.5 - lead(halved) / slope;
+  return factor < 0.0 ? std::nullopt : std::optional(factor);
+}
+
 std::vector<Sensitivity> sensitivities(const ReportView& view, const KernelPair& pair,
                                        const MachineDescription& machine, SequenceTrials& trials) {
   const auto with_factor = [&](const std::string& mnemonic, double factor) {

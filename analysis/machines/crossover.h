@@ -56,6 +56,9 @@ struct Sensitivity {
   double moved() const;
   /// By how much the ratio changes at the widths measured, the most of them; as a logarithm.
   double changed() const;
+  /// The factor on the cost of the instruction at which both kernels take the same at the widest of
+  /// the widths; none if there is none from 0 up.
+  std::optional<double> break_even() const;
 };
 
 /// Of each instruction that runs of the pair issue, those that move the crossing most first; if

@@ -14,15 +14,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// `scatter (12.1 to 25.3)`: the crossing with its cost halved and doubled; if that does not move
-/// it, `scatter (1.62x to 2.04x at W = 64)`: the ratio at the widest of the widths.
+/// it, `scatter (1.62x to 2.04x at W = 64; even at 0.31 of its cost)`: the ratio at the widest of
+/// the widths.
 std::string shown_sensitivity(const MachineCrossover& one) {
   if (one.sensitivities.empty()) return "";
   const Sensitivity& most = one.sensitivities.front();
   if (most.moved() > 0.0)
     return fmt::format("{} ({} to {})", most.mnemonic, most.halved.words(), most.doubled.words());
   const SlotsAtWidth& halved = most.halved.widths.back();
-  return fmt::format("{} ({:.2f}x to {:.2f}x at W = {})", most.mnemonic, halved.ratio(),
-                     most.doubled.widths.back().ratio(), halved.width);
+  const auto even = most.break_even();
+  return fmt::format("{} ({:.2f}x to {:.2f}x at W = {}{})", most.mnemonic, halved.ratio(),
+                     most.doubled.widths.back().ratio(), halved.width,
+                     even ? fmt::format("; even at {:.2f} of its cost", *even) : "");
 }
 
 Row row_of(const MachineCrossover& one, const std::vector<int>& widths) {
@@ -56,11 +59,13 @@ Json widths_json(const Crossover& crossover) {
 }
 
 Json sensitivity_json(const Sensitivity& one) {
+  const auto even = one.break_even();
   return {{"mnemonic", one.mnemonic},
           {"halved", {{"crossing", crossing_json(one.halved)}, {"words", one.halved.words()}}},
           {"doubled", {{"crossing", crossing_json(one.doubled)}, {"words", one.doubled.words()}}},
           {"moved_log2", one.moved()},
-          {"ratio_changed_log2", one.changed()}};
+          {"ratio_changed_log2", one.changed()},
+          {"break_even_factor", even ? Json(*even) : Json(nullptr)}};
 }
 
 }  // namespace

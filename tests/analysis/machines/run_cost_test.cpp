@@ -209,6 +209,8 @@ TEST(Crossovers, AreMovedByTheCostOfAnInstruction) {
   EXPECT_EQ(hmax->halved.words(), "5.7");
   EXPECT_EQ(hmax->doubled.words(), "above 16");
   EXPECT_NEAR(hmax->moved(), 4.0 - 2.5, 1e-9);
+  // At W = 16: 10 slots an element against 2.5 and 5 for each of its cost.
+  EXPECT_NEAR(hmax->break_even().value_or(0), 1.5, 1e-9);
   EXPECT_EQ(all.front().mnemonic, "hmax") << "what is issued in one kernel only moves it more";
 }
 
