@@ -186,6 +186,76 @@ TEST(CheckedMode, ReadsWithinTheWidth) {
   EXPECT_EQ(hadd(on, shuffle_down(on, lanes, 3)), 3 + 4 + 2 + 3 + 4);
 }
 
+/// Whether an instruction on two lanes, of which the second holds the values, is reported.
+template <class Op, class... T>
+bool reported(const T&... values) {
+  return !failure([&](auto& site) {
+            auto on = site.on(Mask<8>::first_n(2));
+            const auto second = cmp_eq(on, lane_index(on), 1);
+            Instruction<Op>{}(on, select(on, second, values, broadcast(on, T{1}))...);
+          }).empty();
+}
+
+TEST(CheckedMode, ReportsFromTheFirstValueThatIsOutOfRange) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(reported<ConvertToInt>(2147483520.0f));
+  EXPECT_TRUE(reported<ConvertToInt>(2147483648.0f));
+  EXPECT_FALSE(reported<ConvertToInt>(-2147483648.0f));
+  EXPECT_TRUE(reported<ConvertToInt>(-2147483904.0f));
+  EXPECT_TRUE(reported<ConvertToInt>(kNan));
+  EXPECT_FALSE(reported<ConvertToUint>(-0.99f));
+  EXPECT_TRUE(reported<ConvertToUint>(-1.0f));
+  EXPECT_FALSE(reported<ConvertToUint>(4294967040.0f));
+  EXPECT_TRUE(reported<ConvertToUint>(4294967296.0f));
+  EXPECT_TRUE(reported<ConvertToUint>(kNan));
+
+  EXPECT_FALSE(reported<Shl>(1, 31));
+  EXPECT_TRUE(reported<Shl>(1, 32));
+  EXPECT_TRUE(reported<Shr>(1, -1));
+  EXPECT_TRUE(reported<Shr>(1u, 32u));
+  EXPECT_FALSE(reported<Rotl>(1u, 32u));
+
+  constexpr auto kLowest = std::numeric_limits<std::int32_t>::min();
+  EXPECT_TRUE(reported<Div>(0, 0));
+  EXPECT_TRUE(reported<Div>(7u, 0u));
+  EXPECT_TRUE(reported<Div>(kLowest, -1));
+  EXPECT_FALSE(reported<Div>(kLowest + 1, -1));
+  EXPECT_FALSE(reported<Div>(0x80000000u, ~0u));
+  EXPECT_FALSE(reported<Div>(1.0f, 0.0f));
+}
+
+TEST(CheckedMode, NotANumberIsReportedWhereItIsBorn) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  EXPECT_TRUE(reported<Div>(0.0f, 0.0f));
+  EXPECT_TRUE(reported<Sub>(kInfinity, kInfinity));
+  EXPECT_TRUE(reported<Sqrt>(-1.0f));
+  EXPECT_TRUE(reported<BitsToFloat>(0x7fc00000u));
+  EXPECT_FALSE(reported<InclusiveScan>(-kInfinity));
+  EXPECT_FALSE(reported<Add>(kNan, 1.0f));
+  EXPECT_FALSE(reported<Fma>(0.0f, kInfinity, kNan));
+  EXPECT_FALSE(reported<Hadd>(kNan));
+  EXPECT_FALSE(reported<Min>(1.0f, kNan));
+}
+
+/// Neither from memory nor from another lane, and not in a lane that is off.
+TEST(CheckedMode, NotANumberIsPassedOn) {
+  const float values[] = {0.0f, std::numeric_limits<float>::quiet_NaN(), 2.0f, 3.0f};
+  EXPECT_EQ(failure([&](auto& site) {
+              typename Checked::Float v;
+              {
+                auto on = site.on(Mask<8>::first_n(4));
+                v = load(on, read_only(values, 4, "values"), 0);
+                shuffle_up(on, v, 1);
+                inclusive_scan(on, v);
+                compress(on, cmp_ne(on, v, v), v);
+              }
+              auto on = site.on(Mask<8>::from_bits(0b1100));
+              sqrt(on, sub(on, v, 2.0f));
+            }),
+            "");
+}
+
 TEST(CheckedMode, MemoryIsAsLargeAsItSays) {
   const float value = 1.0f;
   // Only its first element is there; none of the others is touched.
