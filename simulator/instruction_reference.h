@@ -24,10 +24,8 @@ template <class Op>
 ReferenceEntry reference_entry() {
   const Suspicion* suspicion = nullptr;
   if constexpr (detail::SaysSuspicion<Op>) suspicion = &Op::kSuspicion;
-  return {Op::kInfo, suspicion, requires {Op::kRest;
-}
-, examples_of<Op>()
-};  // namespace lanescope
+  constexpr bool kKeepsRest = requires { Op::kRest; };
+  return {Op::kInfo, suspicion, kKeepsRest, examples_of<Op>()};
 }
 
 template <class... Ops>

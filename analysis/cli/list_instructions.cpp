@@ -2,13 +2,16 @@
 #include <fmt/format.h>
 
 #include "analysis/cli/lists.h"
+#include "analysis/machines/cost_tables.h"
 #include "kernels/instructions.h"
 #include "simulator/instruction_reference.h"
 #include "simulator/instruction_set.h"
 
 namespace lanescope {
 
-std::string reference_of_instructions() { return instruction_reference(reference_entries()); }
+std::string reference_of_instructions() {
+  return instruction_reference(reference_entries(), machine_prices);
+}
 
 std::string list_instructions() {
   std::string text;

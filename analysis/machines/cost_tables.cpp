@@ -2,6 +2,9 @@
 #include "analysis/machines/cost_tables.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "analysis/base/json_text.h"
 #include "analysis/configuration/configuration_json.h"
@@ -74,14 +77,14 @@ std::string shown_slots(const ByBasis& slots) {
   return terms.empty() ? "0" : fmt::format("{}", fmt::join(terms, " + "));
 }
 
+/// `1 every_group`, `4 lane (assumed)`, `scatter_by_lanes`.
 std::string shown_figure(const SlotFigure* figure) {
   if (!figure || !figure->known) return "unknown";
-  std::string text;
+  std::vector<std::string> terms;
   if (!figure->source.empty())
-    text = fmt::format("{} ({})", shown_slots(figure->slots), figure->source);
-  if (!figure->sequence) return text;
-  return fmt::format("{}{}`{}`: {}", text, text.empty() ? "" : "; ", figure->sequence->name,
-                     figure->sequence->meaning);
+    terms.push_back(shown_slots(figure->slots) + (figure->source == kAssumed ? " (assumed)" : ""));
+  if (figure->sequence) terms.push_back(fmt::format("`{}`", figure->sequence->name));
+  return fmt::format("{}", fmt::join(terms, " and "));
 }
 
 }  // namespace
@@ -141,12 +144,24 @@ Json cost_json(const Report& report, const ReportCosts& costs) {
 }
 
 std::string machine_prices(const InstructionInfo& instruction) {
-  std::string text;
-  for (const MachineDescription& machine : shipped_machines())
-    text += fmt::format(
-        "- {}: {}\n", machine.name,
-        shown_figure(machine.find(instruction.mnemonic, to_string(instruction.instruction_class))));
-  return text;
+  std::vector<std::pair<std::string, std::string>> machines_by_figure;
+  for (const MachineDescription& machine : shipped_machines()) {
+    const std::string figure =
+        shown_figure(machine.find(instruction.mnemonic, to_string(instruction.instruction_class)));
+    const auto same =
+        std::ranges::find(machines_by_figure, figure, &std::pair<std::string, std::string>::first);
+    if (same == machines_by_figure.end())
+      machines_by_figure.emplace_back(figure, machine.name);
+    else
+      same->second += ", " + machine.name;
+  }
+  std::string text = "- On [machines](machines.md):";
+  std::string_view separator = " ";
+  for (const auto& [figure, machines] : machines_by_figure) {
+    text += fmt::format("{}{} on {}", separator, figure, machines);
+    separator = "; ";
+  }
+  return text + ".\n";
 }
 
 }  // namespace lanescope

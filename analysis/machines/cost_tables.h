@@ -29,8 +29,8 @@ nlohmann::ordered_json cost_json(const Report& report, const ReportCosts& costs)
 /// Name, hash and lanes of a machine, as documents have them.
 nlohmann::ordered_json machine_json(const MachineDescription& machine);
 
-/// The shipped machines, and what an instruction of the set takes on each, with its source: a line
-/// for each machine, in Markdown. Requires that the instruction has a class of that name.
+/// What an instruction of the set takes on the shipped machines, in slots or by a sequence: an item
+/// of a Markdown list, a line. Machines on which it takes the same stand together.
 std::string machine_prices(const InstructionInfo& instruction);
 
 }  // namespace lanescope

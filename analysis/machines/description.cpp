@@ -20,7 +20,6 @@ extern const char* const kMachineJsonSchema;
 
 namespace {
 
-constexpr std::string_view kAssumed = "assumed";
 constexpr std::string_view kUnknown = "unknown";
 constexpr std::string_view kAsWideAsTheRun = "width";
 

@@ -47,6 +47,9 @@ inline double at(const ByBasis& numbers, SlotBasis basis) {
   return numbers[static_cast<std::size_t>(basis)];
 }
 
+/// The source of a figure that has none.
+inline constexpr std::string_view kAssumed = "assumed";
+
 /// What an instruction takes.
 struct SlotFigure {
   bool known = true;                       ///< If not, nobody knows: there is nothing else.

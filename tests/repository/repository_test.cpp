@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "analysis/machines/cost_tables.h"
 #include "simulator/base/error.h"
 #include "simulator/instruction_reference.h"
 #include "tests/repository/source_files.h"
@@ -28,7 +29,7 @@ TEST(Sources, AreOfReadableLength) {
 /// docs/instructions.md is made from the structs, and nothing else is in it.
 TEST(Documents, TheInstructionReferenceIsCurrent) {
   EXPECT_EQ(test::read_text(kRoot / "docs" / "instructions.md"),
-            instruction_reference(reference_entries()))
+            instruction_reference(reference_entries(), machine_prices))
       << "run scripts/update-instruction-reference";
 }
 
