@@ -2,7 +2,6 @@
 #include "analysis/machines/cost_tables.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
