@@ -9,6 +9,7 @@
 #include "kernels/micropolygons/counters.h"
 #include "kernels/micropolygons/frame_merge.h"
 #include "simulator/instruction_set.h"
+#include "workloads/micropolygons/micropolygon.h"
 
 namespace lanescope {
 
