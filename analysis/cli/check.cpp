@@ -160,7 +160,7 @@ extern const Command c_check{
     "Compares kernels with the scalar reference, piece by piece; exit status 0 if they agree, 1 if "
     "one does not, 2 if they cannot be compared",
     "  lanescope check --kernel {kernel} --scene {scene}\n"
-    "  lanescope check --kernel {kernel} --width 1:16 --mode checked --pieces 2",
+    "  lanescope check --kernel {kernel} --scene {scene} --width 1:16 --mode checked --pieces 2",
     declare};
 
 }  // namespace lanescope
