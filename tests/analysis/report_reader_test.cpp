@@ -46,7 +46,7 @@ Json& with_groups(Json& report) {
   return groups[0];
 }
 
-TEST(Reports, HaveGroupsOfLanes) {
+TEST(GroupsOfLanes, AreReadAsTheyAreWritten) {
   Json json = to_json(testing::sample_report());
   with_groups(json);
   const Report read = parse_report(json_text(json), "r.json");
@@ -56,7 +56,7 @@ TEST(Reports, HaveGroupsOfLanes) {
   EXPECT_EQ(record.groups.dense[1], 1u);
 }
 
-TEST(Reports, OfEarlierProgramsHaveNoGroupsOfLanes) {
+TEST(GroupsOfLanes, AreNotInReportsOfEarlierPrograms) {
   Json json = to_json(testing::sample_report());
   for (Json& run : json["runs"])
     for (Json& stage : run["stages"]) stage.erase("lane_groups");
