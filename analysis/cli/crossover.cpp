@@ -126,7 +126,7 @@ Action declare(CommandOptions& options) {
 extern const Command c_crossover{
     "crossover", "Finds from which width on a kernel takes fewer slots than another",
     "  lanescope crossover --from out/report.json\n"
-    "  lanescope crossover --from report.json --machine avx2 --format markdown\n"
+    "  lanescope crossover --from out/report.json --machine avx2 --format markdown\n"
     "  lanescope crossover --scene {scene} --width 8,16 --format json",
     declare};
 

@@ -29,7 +29,7 @@ std::string shown_sensitivity(const MachineCrossover& one) {
 }
 
 Row row_of(const MachineCrossover& one, const std::vector<int>& widths) {
-  Row row{one.machine->name, {}};
+  Row row{one.machine.name, {}};
   row.cells.push_back({{}, {}, one.crossover.words()});
   row.cells.push_back({{}, {}, shown_sensitivity(one)});
   for (const int width : widths) {
@@ -79,7 +79,7 @@ std::vector<MachineCrossover> crossovers(const ReportView& view, const std::stri
     for (const MachineDescription& machine : machines) {
       const ReportCosts costs(view.report(), machine, trials);
       MachineCrossover& one = all.emplace_back();
-      one = {&machine,
+      one = {machine,
              pair,
              crossover(view, pair, costs),
              sensitivities(view, pair, machine, trials),
@@ -129,7 +129,7 @@ TableData crossover_table(const ReportView& view, const std::vector<MachineCross
 Json crossover_json(const MachineCrossover& one) {
   Json sensitivities = Json::array();
   for (const Sensitivity& each : one.sensitivities) sensitivities.push_back(sensitivity_json(each));
-  Json json = machine_json(*one.machine);
+  Json json = machine_json(one.machine);
   json["first"] = one.pair.first.kernel;
   json["second"] = one.pair.second.kernel;
   json["facet"] = one.pair.first.facet;

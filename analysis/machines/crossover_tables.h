@@ -13,7 +13,7 @@ namespace lanescope {
 
 /// A crossover on a machine, and what moves it: sensitivities that change anything, most first.
 struct MachineCrossover {
-  const MachineDescription* machine;
+  MachineDescription machine;
   KernelPair pair;
   Crossover crossover;
   std::vector<Sensitivity> sensitivities;
@@ -21,7 +21,7 @@ struct MachineCrossover {
   std::set<std::string> missing;   ///< As ReportCosts has it.
 };
 
-/// Of each pair of the kernels in the view on each machine, by pair. The machines must outlive it.
+/// Of each pair of the kernels in the view on each machine, by pair.
 std::vector<MachineCrossover> crossovers(const ReportView& view, const std::string& first,
                                          const std::string& second,
                                          const std::vector<MachineDescription>& machines);

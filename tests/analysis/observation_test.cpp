@@ -9,6 +9,7 @@
 
 #include "analysis/annotation/sources.h"
 #include "analysis/experiment/experiment.h"
+#include "simulator/base/random.h"
 #include "simulator/instruction_set.h"
 #include "tests/analysis/configured.h"
 #include "tests/analysis/test_kind.h"
@@ -98,6 +99,38 @@ TEST_F(Observing, CountsMoreLinesThanLanes) {
   ASSERT_EQ(memory.lines_histogram.size(), 16u);
   EXPECT_EQ(memory.lines_histogram[15], 1u);
   EXPECT_EQ(memory.active, 5u) << "the lanes that access memory, whatever is charged";
+}
+
+TEST_F(Observing, CountsTheGroupsOfLanes) {
+  auto site = vm.site(0);
+  isa::add(site.on(Mask<8>::from_bits(0b10000110)), ints({1, 2, 3}), 1);
+  isa::add(site.on(Mask<8>::first_n(1)), ints({1, 2, 3}), 1);
+  isa::add(site.on(Mask<8>::none()), ints({1, 2, 3}), 1);
+  const std::vector<LaneGroupRecord> records = seen.lane_groups(0);
+  ASSERT_EQ(records.size(), 1u);
+  EXPECT_EQ(records[0].mnemonic, "add");
+  EXPECT_EQ(records[0].issued, 3u);
+  EXPECT_EQ(records[0].groups.active, (GroupCounts{3 + 1, 3 + 1, 2 + 1, 1 + 1, 2, 2, 2}));
+  EXPECT_EQ(records[0].groups.dense, (GroupCounts{3 + 1, 2 + 1, 1 + 1, 1 + 1, 2, 2, 2}));
+}
+
+TEST(LaneGroups, AreWhatALoopCounts) {
+  for (std::uint64_t round = 0; round < 500; ++round) {
+    const std::uint64_t mask = mix64(round) & mix64(round / 3 + 7);
+    const LaneGroups groups = lane_groups_of(mask);
+    for (std::size_t place = 0; place < kGroupLanes.size(); ++place) {
+      std::uint64_t active = 0, lanes = 0;
+      for (int first = 0; first < 64; first += kGroupLanes[place]) {
+        const int size = kGroupLanes[place];
+        const auto on = std::popcount(mask >> first & low_bits(size));
+        active += on > 0;
+        lanes += static_cast<std::uint64_t>(on);
+      }
+      const auto size = static_cast<std::uint64_t>(kGroupLanes[place]);
+      EXPECT_EQ(groups.active[place], active);
+      EXPECT_EQ(groups.dense[place], (lanes + size - 1) / size);
+    }
+  }
 }
 
 TEST(FewNumbers, AreDistinct) {
@@ -230,6 +263,21 @@ TEST_P(WholeRun, SourceLinesAddUpToTheCounts) {
     EXPECT_EQ(sum.issued, stage.total().issued) << stage.name;
     EXPECT_EQ(sum.active, stage.total().active) << stage.name;
     EXPECT_EQ(sum.overhead, stage.total().overhead_issued) << stage.name;
+  }
+}
+
+TEST_P(WholeRun, GroupsOfOneLaneAreTheLanesCounted) {
+  const RunRecord all = run(1);
+  for (const StageRecord& stage : all.stages) {
+    ASSERT_EQ(stage.lane_groups.size(), stage.instructions.size()) << stage.name;
+    for (std::size_t i = 0; i < stage.instructions.size(); ++i) {
+      const InstructionRecord& counts = stage.instructions[i];
+      const LaneGroupRecord& record = stage.lane_groups[i];
+      EXPECT_EQ(record.mnemonic, counts.mnemonic);
+      EXPECT_EQ(record.issued, counts.issued) << counts.mnemonic;
+      EXPECT_EQ(record.groups.active.front(), counts.active) << counts.mnemonic;
+      EXPECT_EQ(record.groups.dense.front(), counts.active) << counts.mnemonic;
+    }
   }
 }
 

@@ -37,6 +37,32 @@ TEST_P(BadReports, AreRefusedWithTheirPlace) {
 /// The memory instruction of Process in the first run.
 Json& memory_of(Json& report) { return report["runs"][0]["stages"][3]["memory"][0]; }
 
+/// The groups of lanes of that instruction, of which two were on.
+Json& with_groups(Json& report) {
+  Json& groups = report["runs"][0]["stages"][3]["lane_groups"];
+  groups = Json::parse(R"([{"mnemonic": "scatter", "issued": 1,
+                            "active_groups": [2, 2, 1, 1, 1, 1, 1],
+                            "dense_groups": [2, 1, 1, 1, 1, 1, 1]}])");
+  return groups[0];
+}
+
+TEST(GroupsOfLanes, AreReadAsTheyAreWritten) {
+  Json json = to_json(testing::sample_report());
+  with_groups(json);
+  const Report read = parse_report(json_text(json), "r.json");
+  EXPECT_EQ(to_json(read), json);
+  const LaneGroupRecord& record = read.runs[0].stages[3].lane_groups.at(0);
+  EXPECT_EQ(record.groups.active[1], 2u);
+  EXPECT_EQ(record.groups.dense[1], 1u);
+}
+
+TEST(GroupsOfLanes, AreNotInReportsOfEarlierPrograms) {
+  Json json = to_json(testing::sample_report());
+  for (Json& run : json["runs"])
+    for (Json& stage : run["stages"]) stage.erase("lane_groups");
+  EXPECT_TRUE(parse_report(json_text(json), "r.json").runs[0].stages[0].lane_groups.empty());
+}
+
 const std::vector<BadReport> kBadReports{
     {"NotAnObject", [](Json& j) { j = Json::array(); }, "r.json:/: an array is not an object"},
     {"NoSchema", [](Json& j) { j.erase("schema"); }, "r.json:/: the member 'schema' is missing"},
@@ -185,6 +211,21 @@ const std::vector<BadReport> kBadReports{
     {"MemoryTwice", [](Json& j) { j["runs"][0]["stages"][3]["memory"].push_back(memory_of(j)); },
      "r.json:/runs/0/stages/3/memory/1/mnemonic: \"scatter\" is that of an earlier element, too; "
      "each has its own"},
+    {"GroupsOfNoInstruction", [](Json& j) { with_groups(j)["mnemonic"] = "gather"; },
+     "r.json:/runs/0/stages/3/lane_groups/0/mnemonic: \"gather\" is not the mnemonic of an "
+     "instruction of this stage"},
+    {"GroupsOfMoreThanWereIssued", [](Json& j) { with_groups(j)["issued"] = 2; },
+     "r.json:/runs/0/stages/3/lane_groups/0/issued: 2 is not at most 1, which were issued"},
+    {"TooFewSizesOfGroups", [](Json& j) { with_groups(j)["dense_groups"].erase(0); },
+     "r.json:/runs/0/stages/3/lane_groups/0/dense_groups: has 6 elements; 7 are needed"},
+    {"MoreGroupsThanThereAre", [](Json& j) { with_groups(j)["active_groups"][3] = 2; },
+     "r.json:/runs/0/stages/3/lane_groups/0/active_groups/3: 2 is not at most 1, the groups of "
+     "those observed"},
+    {"MoreDenseThanActiveGroups", [](Json& j) { with_groups(j)["dense_groups"][2] = 2; },
+     "r.json:/runs/0/stages/3/lane_groups/0/dense_groups/2: 2 is not at most 1, the groups with a "
+     "lane on"},
+    {"OtherLanesInGroupsOfOne", [](Json& j) { with_groups(j)["dense_groups"][0] = 1; },
+     "r.json:/runs/0/stages/3/lane_groups/0/dense_groups/0: 1 is not 2, the lanes that were on"},
     {"CountersThatDoNotAddUp",
      [](Json& j) {
        Json& counters = j["runs"][0]["counters"];

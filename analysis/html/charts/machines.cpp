@@ -23,7 +23,7 @@ DataFrame ratio_rows(const std::vector<MachineCrossover>& all) {
                    {"ratio", "Ratio", ".3f"}});
   for (const MachineCrossover& one : all)
     for (const SlotsAtWidth& at : one.crossover.widths)
-      frame.add({one.machine->name, shown_facet(one.pair.first), at.width, at.first, at.second,
+      frame.add({one.machine.name, shown_facet(one.pair.first), at.width, at.first, at.second,
                  at.ratio()});
   return frame;
 }
@@ -39,7 +39,7 @@ DataFrame crossing_rows(const std::vector<MachineCrossover>& all) {
   for (const MachineCrossover& one : all) {
     if (!one.crossover.crossing || one.sensitivities.empty()) continue;
     const Sensitivity& most = one.sensitivities.front();
-    frame.add({one.machine->name, shown_facet(one.pair.first), *one.crossover.crossing,
+    frame.add({one.machine.name, shown_facet(one.pair.first), *one.crossover.crossing,
                number_or_null(most.halved.crossing), number_or_null(most.doubled.crossing),
                most.mnemonic});
   }

@@ -124,7 +124,7 @@ struct Refused {
 
 TEST(Descriptions, AreRefusedWhereTheyAreWrong) {
   const std::vector<Refused> all{
-      {R"(, "lane": 4)", "m.json: unknown member 'lane'; did you mean 'lanes'?"},
+      {R"(, "lane": 4)", "m.json:/: unknown member 'lane'; did you mean 'lanes'?"},
       {R"(, "lanes": 12)", "m.json:/lanes: 12 is not 1, 2, 4, 8, 16, 32, 64 or \"width\""},
       {R"(, "instructions": {"prefix_sums": "unknown"})",
        "m.json:/instructions/prefix_sums: 'prefix_sums' is not an instruction of the set; did you "
@@ -174,7 +174,7 @@ TEST(Descriptions, AreRefusedIfASequenceNeedsItself) {
 TEST(Descriptions, InheritFromMachinesOfTheProgram) {
   EXPECT_EQ(refusal(R"({"name": "m", "summary": "m", "inherits": "avx3"})").substr(0, 46),
             "m.json:/inherits: 'avx3' is not a machine; use");
-  EXPECT_EQ(refusal(R"({"name": "m", "summary": "m"})"), "m.json: the member 'lanes' is missing");
+  EXPECT_EQ(refusal(R"({"name": "m", "summary": "m"})"), "m.json:/: the member 'lanes' is missing");
 }
 
 TEST(MachineOf, TakesANameOrAFile) {

@@ -132,7 +132,7 @@ TEST(LuongPage, OfOtherKernelsIsTheGeneralOne) {
   EXPECT_TRUE(plan.scenes.empty());
 }
 
-TEST(LuongPage, HasThirteenSectionsAndFifteenCharts) {
+TEST(LuongPage, HasFourteenSectionsAndSixteenCharts) {
   Report report = sample_of_study();
   for (RunRecord& run : report.runs)
     if (run.configuration.kernel == "repack")
@@ -147,8 +147,8 @@ TEST(LuongPage, HasThirteenSectionsAndFifteenCharts) {
     for (std::size_t at = page.find(part); at != page.npos; at = page.find(part, at + 1)) ++found;
     return found;
   };
-  EXPECT_EQ(count("<h2 id="), 3u + 13u);
-  EXPECT_EQ(count("<figure class=\"chart\""), 15u);
+  EXPECT_EQ(count("<h2 id="), 3u + 14u);
+  EXPECT_EQ(count("<figure class=\"chart\""), 16u);
   EXPECT_EQ(count("The reports have no figures for"), 0u);
 }
 
