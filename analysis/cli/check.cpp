@@ -3,6 +3,7 @@
 // scripts.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 

@@ -144,6 +144,10 @@ function(lanescope_compile_programs target lanes)
   list(REMOVE_DUPLICATES folders)
   if(folders)
     target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+    if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+      message(WARNING "lanescope_program(${target}): vector programs that are not optimized are slow; "
+        "choose with -DCMAKE_BUILD_TYPE=Release")
+    endif()
   endif()
   foreach(key IN LISTS folders)
     lanescope_vector_programs(${target} "${folder_of_${key}}" ${programs_of_${key}} LANES ${lanes}
