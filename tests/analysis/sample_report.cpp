@@ -32,6 +32,7 @@ StageRecord stage_record(const SampleStage& stage) {
   std::vector<std::uint64_t> lines(kWidth + 1, 0);
   lines[1] = 1;
   record.memory = {{"scatter", 1, lanes, 1, lines, lanes - 1}};
+  record.lane_groups = {{"scatter", 1, lane_groups_of((std::uint64_t{1} << lanes) - 1)}};
   return record;
 }
 
