@@ -102,8 +102,8 @@ std::vector<std::string> notes_on(const ReportCosts& costs) {
         "description that inherits from it.",
         costs.machine().name, list_of(missing)));
   if (const auto by_class = costs.priced_by_class(); !by_class.empty())
-    notes.push_back(
-        fmt::format("On {}, {} is priced by class.", costs.machine().name, list_of(by_class)));
+    notes.push_back(fmt::format("On {}, by the figure of their class: {}.", costs.machine().name,
+                                list_of(by_class)));
   if (costs.from_observed())
     notes.push_back(fmt::format(
         "On {}, groups of lanes and lines of memory are those of the pieces of work that were "
