@@ -26,6 +26,16 @@ Cell mean_cell(const ReportView& view, const Series& series, int width, const Ru
           {}};
 }
 
+/// What is missing at each width, for formats that have no notes.
+Row missing_row(const ReportView& view, const Series& series, const ReportCosts& costs) {
+  return row_over(view, series, "Not known", [&](int width) {
+    std::set<std::string> missing;
+    for (const RunRecord* run : view.runs(series, width))
+      missing.insert(costs.of(*run).missing.begin(), costs.of(*run).missing.end());
+    return Cell{{}, {}, list_of(missing)};
+  });
+}
+
 std::vector<Row> cost_rows(const ReportView& view, const Series& series, const ReportCosts& costs) {
   std::vector<Row> rows;
   for (const std::string& stage : stages_of(view, series))
@@ -42,6 +52,7 @@ std::vector<Row> cost_rows(const ReportView& view, const Series& series, const R
             view, series, width, [&](const RunRecord& run) { return costs.slots_per_element(run); },
             [&](const RunRecord& run) { return costs.utilization(run); });
       }));
+  if (!costs.missing().empty()) rows.push_back(missing_row(view, series, costs));
   return rows;
 }
 
@@ -113,15 +124,13 @@ std::vector<std::string> notes_on(const ReportCosts& costs) {
 }
 
 TableData cost_table(const ReportView& view, const ReportCosts& costs) {
-  TableData data = table_over_widths(view,
-                                     fmt::format("Issue slots for each element on {} (utilization)",
-                                                 shown_machine(costs.machine())),
-                                     "Stage", [&](const ReportView& of, const Series& series) {
-                                       return cost_rows(of, series, costs);
-                                     });
+  TableData data = table_over_widths(
+      view, fmt::format("Issue slots for each element on {} (utilization)", costs.machine().name),
+      "Stage",
+      [&](const ReportView& of, const Series& series) { return cost_rows(of, series, costs); });
   data.name = "machine_" + costs.machine().name;
   data.caption = view.caption();
-  data.setting = view.setting();
+  data.setting = fmt::format("machine = {}, {}", shown_machine(costs.machine()), view.setting());
   data.notes = {"A slot is the time of one addition of floats in a vector of the machine."};
   for (std::string& note : notes_on(costs)) data.notes.push_back(std::move(note));
   return data;

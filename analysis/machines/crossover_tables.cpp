@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "analysis/base/json_text.h"
 #include "analysis/machines/cost_tables.h"
 #include "analysis/tables/series_rows.h"
 
@@ -41,6 +42,7 @@ Row row_of(const MachineCrossover& one, const std::vector<int>& widths) {
          {},
          {}});
   }
+  row.cells.push_back({{}, {}, hash_text(one.machine.hash)});
   return row;
 }
 
@@ -104,6 +106,7 @@ TableData crossover_table(const ReportView& view, const std::vector<MachineCross
   data.row_header = "Machine";
   data.columns = {"Crossing", "Moved most by (halved to doubled)"};
   for (const std::string& header : width_headers(widths)) data.columns.push_back(header);
+  data.columns.push_back("Description");
   std::string facet;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string own = shown_facet(all[i].pair.first);

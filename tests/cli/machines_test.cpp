@@ -49,7 +49,8 @@ TEST_F(Machines, TakeTheCountsOfTheReportWhereEveryInstructionIsOne) {
 
 TEST_F(Machines, AreShownInEveryFormat) {
   const std::string text = run("machines r.json --machine avx2").output;
-  EXPECT_NE(text.find("Issue slots for each element on avx2 (8 lanes, 0x"), std::string::npos);
+  EXPECT_NE(text.find("Issue slots for each element on avx2 (utilization)"), std::string::npos);
+  EXPECT_NE(text.find("machine = avx2 (8 lanes, 0x"), std::string::npos);
   EXPECT_NE(text.find("Slots/mp, all stages"), std::string::npos) << text;
   EXPECT_NE(run("machines r.json --format markdown").output.find("| Stage |"), std::string::npos);
   EXPECT_EQ(run("machines r.json --format csv").output.rfind("table,scenes,", 0), 0u);
@@ -65,6 +66,9 @@ TEST_F(Machines, SayWhatIsMissing) {
   EXPECT_NE(text.find("There are no totals on m where it is not known what this takes: mul"),
             std::string::npos)
       << text;
+  EXPECT_NE(run("machines r.json --machine m.json --format csv")
+                .output.find("Not known,W = 8,words,,,,,mul"),
+            std::string::npos);
   const Json json = json_of("machines r.json --machine m.json --format json");
   EXPECT_TRUE(json["machines"][0]["runs"][0]["slots"].is_null());
 }

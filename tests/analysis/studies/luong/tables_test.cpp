@@ -170,6 +170,24 @@ TEST(LuongTables, ClaimsAreCheckedAtTheirWidth) {
   EXPECT_EQ(cell(data, "Instructions saved, lockstep", 1), "n/a");
 }
 
+TEST(LuongTables, LarrabeeUnitsAreOfInstructionsAndOfSlots) {
+  Report wide = report();
+  for (RunRecord& run : wide.runs) run.configuration.width = 16;
+  const TableData data = table("larrabee_units", view_of(study_luong, wide));
+  const auto figure = [&](std::size_t place, std::size_t column) {
+    return data.rows.at(place).cells.at(column).figure->ours.value_or(-1);
+  };
+  // A hundred instructions a frame, of a slot each: one is a scatter to one line.
+  EXPECT_EQ(data.rows[1].label, "LOCKSTEP, triangles");
+  EXPECT_NEAR(figure(1, 0), 100 * 60, 1e-6);
+  EXPECT_NEAR(figure(1, 1), 6000 / 1.1e9, 1e-15);
+  EXPECT_NEAR(figure(1, 2), 100 * 60, 1e-6);
+  // Half of all micropolygons are culled.
+  EXPECT_EQ(data.rows[6].label, "LOCKSTEP, triangles");
+  EXPECT_NEAR(figure(6, 0), 2 * 6000, 1e-6);
+  EXPECT_NEAR(figure(6, 3), 2 * 6000 / 1.1e9, 1e-15);
+}
+
 TEST(LuongTables, DeviationIsOfRoundedPercents) {
   const TableData data = table("deviation");
   // 85 - 98, 63 - 83 (62.5 rounds away from zero), 38 - 25.
