@@ -24,13 +24,13 @@ RunRecord run_of(const char* scene, int width, std::vector<SourceLineRecord> lin
 Report two_scenes() {
   Report report;
   report.runs.push_back(run_of("one", 8,
-                               {{"kernels/micropolygons/stages.h", 60, "Setup", 10, 80, 0},
-                                {"kernels/micropolygons/stages.h", 60, "Bound", 10, 40, 5},
-                                {"kernels/micropolygons/stages.h", 61, "Test", 30, 60, 0}}));
+                               {{"kernels/micropolygons/stages.h", 61, "Setup", 10, 80, 0},
+                                {"kernels/micropolygons/stages.h", 61, "Bound", 10, 40, 5},
+                                {"kernels/micropolygons/stages.h", 62, "Test", 30, 60, 0}}));
   report.runs.push_back(
-      run_of("other", 8, {{"kernels/micropolygons/stages.h", 60, "Setup", 50, 400, 0}}));
+      run_of("other", 8, {{"kernels/micropolygons/stages.h", 61, "Setup", 50, 400, 0}}));
   report.runs.push_back(
-      run_of("one", 16, {{"kernels/micropolygons/stages.h", 61, "Test", 1, 16, 0}}));
+      run_of("one", 16, {{"kernels/micropolygons/stages.h", 62, "Test", 1, 16, 0}}));
   report.runs.push_back(run_of("unobserved", 32, {}));
   return report;
 }
@@ -45,7 +45,7 @@ TEST(Annotate, SumsScenesOfALineInAStageHottestFirst) {
   EXPECT_EQ(a.pieces, 64u);
   EXPECT_EQ(a.issued, 100u);
   ASSERT_EQ(a.lines.size(), 3u);
-  EXPECT_EQ(a.lines[0].place, (SourcePlace{"kernels/micropolygons/stages.h", 60}));
+  EXPECT_EQ(a.lines[0].place, (SourcePlace{"kernels/micropolygons/stages.h", 61}));
   EXPECT_EQ(a.lines[0].stage, "Setup");
   EXPECT_EQ(a.lines[0].issued, 60u);
   EXPECT_DOUBLE_EQ(*a.share(a.lines[0]).value(), 0.60);
@@ -65,8 +65,8 @@ TEST(Annotate, KeepsBlocksApart) {
   Report report;
   report.runs = {
       run_of("one", 8,
-             {{file, 60, "Test", 10, 80, 0, testing}, {file, 60, "Test", 2, 4, 0, ruling}}),
-      run_of("other", 8, {{file, 60, "Test", 5, 40, 0, testing}, {file, 60, "Test", 1, 1, 0, {}}})};
+             {{file, 61, "Test", 10, 80, 0, testing}, {file, 61, "Test", 2, 4, 0, ruling}}),
+      run_of("other", 8, {{file, 61, "Test", 5, 40, 0, testing}, {file, 61, "Test", 1, 1, 0, {}}})};
   const Annotation a = annotate(report).front();
   ASSERT_EQ(a.lines.size(), 3u);
   EXPECT_EQ(a.lines[0].block, testing);
@@ -77,7 +77,7 @@ TEST(Annotate, KeepsBlocksApart) {
   EXPECT_EQ(table.rows[0].cells.back().words,
             fmt::format("repack.h:10: {}", source_line(testing.file, testing.line)));
   EXPECT_EQ(table.rows[2].cells.back().words, "");
-  EXPECT_NE(annotated_source(a).find(" 100.0%   86.8%           18   60 | "), std::string::npos);
+  EXPECT_NE(annotated_source(a).find(" 100.0%   86.8%           18   61 | "), std::string::npos);
 }
 
 TEST(Annotate, KeepsFacetsApart) {
@@ -93,8 +93,8 @@ TEST(Annotate, ShowsTheTextOfTheLine) {
   const Annotation a = annotate(two_scenes()).front();
   const TableData table = hottest_lines(a, 1);
   ASSERT_EQ(table.rows.size(), 1u);
-  EXPECT_EQ(table.rows[0].label, "kernels/micropolygons/stages.h:60");
-  const std::string source(source_line("kernels/micropolygons/stages.h", 60));
+  EXPECT_EQ(table.rows[0].label, "kernels/micropolygons/stages.h:61");
+  const std::string source(source_line("kernels/micropolygons/stages.h", 61));
   EXPECT_NE(source, "");
   const std::string& shown_source = table.rows[0].cells[4].words;
   EXPECT_NE(shown_source, "");
@@ -106,8 +106,8 @@ TEST(Annotate, ShowsTheTextOfTheLine) {
 
 TEST(Annotate, PutsTheFiguresInTheMarginOfTheSource) {
   const std::string text = annotated_source(annotate(two_scenes()).front());
-  EXPECT_NE(text.find("  70.0%   92.9%           70   60 | "), text.npos) << text.substr(0, 6000);
-  EXPECT_NE(text.find("  30.0%   25.0%           30   61 | "), text.npos);
+  EXPECT_NE(text.find("  70.0%   92.9%           70   61 | "), text.npos) << text.substr(0, 6000);
+  EXPECT_NE(text.find("  30.0%   25.0%           30   62 | "), text.npos);
   EXPECT_EQ(text.find("kernels/micropolygons/repack.h"), text.npos) << "nothing was issued there";
 }
 

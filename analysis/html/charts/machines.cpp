@@ -63,16 +63,20 @@ constexpr std::string_view kRatios = R"json({
        "encoding": {"y": {"datum": 1}}}]}
 })json";
 
+/// The line is a point where its ends are not known: a layer without a datum has a scale without an
+/// end.
 constexpr std::string_view kCrossings = R"json({
   "facet": {"column": {"field": "facet", "title": null, "sort": "@facets"}},
   "spec": {
     "width": 300, "height": {"step": 22},
     "encoding": {"y": {"field": "machine", "type": "nominal", "title": null, "sort": []}},
     "layer": [
-      {"transform": [{"filter": "isValid(datum.halved) && isValid(datum.doubled)"}],
+      {"transform": [
+         {"calculate": "isValid(datum.halved) && isValid(datum.doubled)", "as": "is_known"},
+         {"calculate": "datum.is_known ? datum.halved : datum.crossing", "as": "from"},
+         {"calculate": "datum.is_known ? datum.doubled : datum.crossing", "as": "to"}],
        "mark": {"type": "rule", "stroke": "currentColor", "opacity": 0.6},
-       "encoding": {"x": {"field": "halved", "type": "quantitative"},
-                    "x2": {"field": "doubled"}}},
+       "encoding": {"x": {"field": "from", "type": "quantitative"}, "x2": {"field": "to"}}},
       {"mark": {"type": "point", "filled": true, "size": 60, "fill": "currentColor"},
        "encoding": {"x": {"field": "crossing", "type": "quantitative", "title": "Crossing (W)",
                           "scale": {"type": "log", "base": 2, "nice": false, "padding": 20}}}},
