@@ -17,19 +17,16 @@ namespace {
 
 const std::filesystem::path kSources = LANESCOPE_SOURCE_DIR;
 
-/// An installation, and the program of examples/own_program built against it; made once.
-class Install : public ::testing::Test {
+/// An installation, in a prefix that has been moved.
+class Installation : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     scratch_ = new ScratchDirectory;
     expect_success(shell(fmt::format("cmake --install '{}' --prefix '{}'", LANESCOPE_BUILD_DIR,
                                      *scratch_ / "first")));
     std::filesystem::rename(*scratch_ / "first", *scratch_ / "moved");
-    built_ = configure(kSources / "examples" / "own_program", "own").status == 0 &&
-             build("own").status == 0;
   }
   static void TearDownTestSuite() { delete scratch_; }
-  void SetUp() override { ASSERT_TRUE(built_); }
 
   static void expect_success(const Outcome& outcome) {
     EXPECT_EQ(outcome.status, 0) << outcome.output << outcome.errors;
@@ -53,22 +50,51 @@ class Install : public ::testing::Test {
   static Outcome run(const std::string& program, const std::string& arguments) {
     return shell(fmt::format("'{}' {}", *scratch_ / program, arguments), scratch_->path());
   }
-  static std::string own(const std::string& arguments) {
-    const Outcome outcome = run("own/build/own_program", arguments);
-    EXPECT_EQ(outcome.status, 0) << arguments << "\n" << outcome.errors;
-    return outcome.output;
-  }
   static void expect_in(const std::string& text, const std::string& words) {
     EXPECT_NE(text.find(words), std::string::npos) << words << " is not in\n" << text;
   }
 
   static inline ScratchDirectory* scratch_ = nullptr;
+};
+
+/// The program of examples/own_program built against it; made once.
+class OwnProgram : public Installation {
+ protected:
+  static void SetUpTestSuite() {
+    Installation::SetUpTestSuite();
+    built_ = configure(kSources / "examples" / "own_program", "own").status == 0 &&
+             build("own").status == 0;
+  }
+  void SetUp() override { ASSERT_TRUE(built_); }
+
+  static std::string own(const std::string& arguments) {
+    const Outcome outcome = run("own/build/own_program", arguments);
+    EXPECT_EQ(outcome.status, 0) << arguments << "\n" << outcome.errors;
+    return outcome.output;
+  }
+
   static inline bool built_ = false;
 };
 
+/// A counter of a run of a report.
+std::uint64_t counter_of(const nlohmann::json& run, std::string_view name) {
+  for (const auto& counter : run["counters"])
+    if (counter["name"] == name) return counter["value"];
+  return 0;
+}
+
+/// What a run of a report has of an instruction, over all stages.
+std::uint64_t sum_of(const nlohmann::json& run, std::string_view mnemonic, const char* what) {
+  std::uint64_t sum = 0;
+  for (const auto& stage : run["stages"])
+    for (const auto& instruction : stage["instructions"])
+      if (instruction["mnemonic"] == mnemonic) sum += instruction[what].get<std::uint64_t>();
+  return sum;
+}
+
 constexpr const char* kSmall = "--scene hill --resolution 48x30 --micropolygon triangle ";
 
-TEST_F(Install, OwnThingsAreListedBesideOurs) {
+TEST_F(OwnProgram, OwnThingsAreListedBesideOurs) {
   const std::string kernels = own("list kernels");
   for (const char* name : {"rastmp", "lockstep", "repack", "across_image", "one_at_a_time"})
     expect_in(kernels, fmt::format("{} ", name));
@@ -80,30 +106,22 @@ TEST_F(Install, OwnThingsAreListedBesideOurs) {
 }
 
 /// At one lane a test of a triangle is three edge functions, no more and no less.
-TEST_F(Install, AnOwnInstructionIsCounted) {
+TEST_F(OwnProgram, AnOwnInstructionIsCounted) {
   const auto report = nlohmann::json::parse(
       own(std::string("run --kernel one_at_a_time --width 1,16 --json - ") + kSmall));
   for (const auto& run : report["runs"]) {
-    std::uint64_t issued = 0, active = 0;
-    for (const auto& stage : run["stages"])
-      for (const auto& instruction : stage["instructions"])
-        if (instruction["mnemonic"] == "edge_function") {
-          issued += instruction["issued"].get<std::uint64_t>();
-          active += instruction["active"].get<std::uint64_t>();
-        }
-    std::uint64_t tests = 0;
-    for (const auto& counter : run["counters"])
-      if (counter["name"] == "tests") tests = counter["value"];
+    const std::uint64_t tests = counter_of(run, "tests");
     EXPECT_GT(tests, 1000u);
-    EXPECT_EQ(active, 3 * tests);
-    if (run["parameters"]["width_lanes"] == 1) EXPECT_EQ(issued, 3 * tests);
+    EXPECT_EQ(sum_of(run, "edge_function", "active"), 3 * tests);
+    if (run["parameters"]["width_lanes"] == 1)
+      EXPECT_EQ(sum_of(run, "edge_function", "issued"), 3 * tests);
   }
   const auto& dictionary = report["instructions"];
   EXPECT_TRUE(std::any_of(dictionary.begin(), dictionary.end(),
                           [](const auto& entry) { return entry["mnemonic"] == "edge_function"; }));
 }
 
-TEST_F(Install, EveryCommandKnowsAnOwnKernel) {
+TEST_F(OwnProgram, EveryCommandKnowsAnOwnKernel) {
   const std::string kernel = std::string("--kernel one_at_a_time --width 16 ") + kSmall;
   const std::string lines = own("annotate --source " + kernel);
   expect_in(lines, "one_at_a_time.h");
@@ -116,13 +134,13 @@ TEST_F(Install, EveryCommandKnowsAnOwnKernel) {
   EXPECT_TRUE(std::filesystem::file_size(*scratch_ / "r.html") > 100000u);
 }
 
-TEST_F(Install, AnOwnKernelIsCheckedAgainstTheReference) {
+TEST_F(OwnProgram, AnOwnKernelIsCheckedAgainstTheReference) {
   expect_in(own("check --kernel one_at_a_time --pieces 1 --width 1,7,16 --scene hill,teapot "
                 "--resolution 96x60"),
             "one_at_a_time agrees with rastmp");
 }
 
-TEST_F(Install, WrongInstructionsAreNamed) {
+TEST_F(Installation, WrongInstructionsAreNamed) {
   expect_success(configure(kSources / "tests" / "install" / "wrong", "wrong"));
   const Outcome compiled = build("wrong", "--target wrong_structs");
   EXPECT_NE(compiled.status, 0);
@@ -142,7 +160,7 @@ TEST_F(Install, WrongInstructionsAreNamed) {
             "them another\n");
 }
 
-TEST_F(Install, MistakesOfTheProjectAreNamed) {
+TEST_F(Installation, MistakesOfTheProjectAreNamed) {
   const std::pair<std::string, std::string> mistakes[] = {
       {"find_package(lanescope REQUIRED COMPONENTS kernels gpu)",
        "there is no component 'gpu' (one of: simulator, workloads, kernels, analysis, cli)"},
@@ -174,13 +192,32 @@ TEST_F(Install, MistakesOfTheProjectAreNamed) {
   }
 }
 
-TEST_F(Install, EachHeaderIsComplete) {
+/// The first of the examples, which replaces a step of REPACK. At one lane each box is a store of
+/// four records, and each hit one.
+TEST_F(Installation, AnExampleIsBuiltAgainstIt) {
+  expect_success(configure(kSources / "examples" / "compress_store", "example"));
+  expect_success(build("example"));
+  const std::string program = "example/build/compress_store";
+  const std::string small = "--kernel repack_compress --scene teapot --resolution 96x60 ";
+  const Outcome checked = run(program, "check --pieces 1 --width 1,16,31 " + small);
+  expect_success(checked);
+  expect_in(checked.output, "repack_compress agrees with rastmp");
+  const auto report = nlohmann::json::parse(run(program, "run --width 1 --json - " + small).output);
+  const auto& only = report["runs"][0];
+  EXPECT_GT(counter_of(only, "hits"), 1000u);
+  EXPECT_EQ(sum_of(only, "compress_store", "active"),
+            4 * (counter_of(only, "micropolygons_rasterized") -
+                 counter_of(only, "micropolygons_off_screen")) +
+                counter_of(only, "hits"));
+}
+
+TEST_F(Installation, EachHeaderIsComplete) {
   expect_success(configure(kSources / "tests" / "install" / "headers", "headers"));
   expect_success(build("headers"));
 }
 
 #if defined(__x86_64__) && defined(__SSE4_2__)
-TEST_F(Install, AProgramForAnotherHostDoesNotLink) {
+TEST_F(Installation, AProgramForAnotherHostDoesNotLink) {
   const ScratchDirectory project;
   for (const auto& file : {kSources / "tests" / "install" / "hosts" / "CMakeLists.txt",
                            kSources / "examples" / "new_instruction.cpp"})
