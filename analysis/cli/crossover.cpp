@@ -56,7 +56,8 @@ std::pair<std::string, std::string> chosen_kernels(const std::string& text,
   for (const Argument& kernel : parse_list({"--kernels", text}))
     wanted.push_back(parse_name(kernel, "a kernel that counted instructions", there));
   if (wanted.size() != 2)
-    throw InputError("--kernels", "'{}' is {} kernels; two are needed", text, wanted.size());
+    throw InputError("--kernels", "'{}' does not name two kernels, with a comma between them",
+                     text);
   return {wanted[0], wanted[1]};
 }
 

@@ -246,7 +246,7 @@ const std::vector<BadLine> kBadLines{
     {"machines a.json --machine /nonexistent/m.json",
      "/nonexistent/m.json: cannot be read: No such file or directory"},
     {"crossover --kernels lockstep --resolution 48x30 --width 8",
-     "--kernels: 'lockstep' is 1 kernels; two are needed"},
+     "--kernels: 'lockstep' does not name two kernels, with a comma between them"},
     {"crossover --from /nonexistent/a.json",
      "/nonexistent/a.json: cannot be read: No such file or directory"},
     {"tables --out /dev/null/x", "/dev/null/x: cannot be created as a directory: Not a directory"},
