@@ -56,6 +56,10 @@ void append(std::string& text, const Json& value, std::size_t indent) {
 
 }  // namespace
 
+nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 double json_number(float value) { return std::strtod(fmt::format("{}", value).c_str(), nullptr); }
 
 double json_ms(double ms) { return std::round(ms * 1000.0) / 1000.0; }

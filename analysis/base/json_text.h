@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 namespace lanescope {
@@ -15,6 +16,9 @@ double json_number(float value);
 
 /// A time, to the microsecond.
 double json_ms(double ms);
+
+/// The number, or null.
+nlohmann::ordered_json number_or_null(const std::optional<double>& value);
 
 /// A hash as reports have it: `0x` and 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);

@@ -8,11 +8,9 @@
 #include "analysis/annotation/annotation.h"
 #include "analysis/cli/defaults.h"
 #include "analysis/cli/input.h"
-#include "analysis/cli/memory_notice.h"
-#include "analysis/cli/narration.h"
+#include "analysis/cli/narrated_experiment.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/selection.h"
-#include "analysis/experiment/experiment.h"
 #include "analysis/formats/format.h"
 
 namespace lanescope {
@@ -34,11 +32,8 @@ Report run_selected(const CommandOptions& command, const Given& given) {
   const std::vector<Configuration> configurations = resolve_configurations(given.experiment);
   ExperimentOptions options;
   options.threads = parse_threads(given.threads);
-  tell_memory(configurations);
-  Narration progress(command.name());
-  options.opening = progress.listener();
-  options.progress = [&](double fraction) { progress.update(fraction); };
-  return run_experiment(configurations, options);
+  Narration narration(command.name());
+  return run_narrated(narration, configurations, options);
 }
 
 void annotate_sources(const CommandOptions& command, const Given& given) {

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "analysis/cli/experiment_arguments.h"
-#include "analysis/cli/memory_notice.h"
 #include "analysis/cli/narration.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/values.h"

@@ -10,11 +10,9 @@
 #include "analysis/cli/experiment_arguments.h"
 #include "analysis/cli/input.h"
 #include "analysis/cli/machine_arguments.h"
-#include "analysis/cli/memory_notice.h"
-#include "analysis/cli/narration.h"
+#include "analysis/cli/narrated_experiment.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/values.h"
-#include "analysis/experiment/experiment.h"
 #include "analysis/machines/crossover_tables.h"
 #include "simulator/base/error.h"
 
@@ -35,11 +33,8 @@ NamedReport run_report(const CommandOptions& command, const Given& given) {
   const std::vector<Configuration> configurations = resolve_configurations(given.experiment);
   ExperimentOptions options;
   options.threads = parse_threads(given.threads);
-  tell_memory(configurations);
-  Narration progress(command.name());
-  options.opening = progress.listener();
-  options.progress = [&](double fraction) { progress.update(fraction); };
-  return {"the report", run_experiment(configurations, options)};
+  Narration narration(command.name());
+  return {"the report", run_narrated(narration, configurations, options)};
 }
 
 /// The two kernels to compare: those named, or the first two that issue instructions.

@@ -3,10 +3,8 @@
 #include <memory>
 
 #include "analysis/cli/experiment_arguments.h"
-#include "analysis/cli/memory_notice.h"
-#include "analysis/cli/narration.h"
+#include "analysis/cli/narrated_experiment.h"
 #include "analysis/cli/output.h"
-#include "analysis/experiment/experiment.h"
 #include "analysis/formats/format.h"
 #include "analysis/html/page.h"
 #include "analysis/report/report_json.h"
@@ -38,11 +36,8 @@ void run(const CommandOptions& command, const Given& given) {
     throw InputError("--html", "standard output is taken by --json; name a file");
   Destination json(given.json);
   Destination html(given.html);
-  tell_memory(configurations);
-  Narration progress(command.name());
-  options.opening = progress.listener();
-  options.progress = [&](double fraction) { progress.update(fraction); };
-  Report report = run_experiment(configurations, options);
+  Narration narration(command.name());
+  Report report = run_narrated(narration, configurations, options);
   report.command = command.command_line();
   make_all({[&] { json.write(report_text(report)); },
             [&] {

@@ -10,12 +10,10 @@
 
 #include "analysis/base/json_text.h"
 #include "analysis/cli/experiment_arguments.h"
-#include "analysis/cli/memory_notice.h"
-#include "analysis/cli/narration.h"
+#include "analysis/cli/narrated_experiment.h"
 #include "analysis/cli/output.h"
 #include "analysis/cli/table_arguments.h"
 #include "analysis/configuration/configuration_json.h"
-#include "analysis/experiment/experiment.h"
 #include "analysis/pictures/heat_map.h"
 #include "analysis/pictures/picture_title.h"
 #include "analysis/report/report_json.h"
@@ -113,12 +111,9 @@ Report make_report(const CommandOptions& command, const Given& given) {
   options.threads = parse_threads(given.threads);
   if (!given.out.empty()) make_directory(given.out);
   Pictures pictures(given.out);
-  tell_memory(configurations);
-  Narration progress(command.name());
-  options.opening = progress.listener();
-  options.progress = [&](double fraction) { progress.update(fraction); };
   options.on_output = [&](const FinishedOutput& finished) { pictures.take(finished); };
-  Report report = run_experiment(configurations, options);
+  Narration narration(command.name());
+  Report report = run_narrated(narration, configurations, options);
   report.command = command.command_line();
   return report;
 }

@@ -58,7 +58,7 @@ class RunValues {
   }
   void add_ratio(const std::string& stage, const std::string& figure, std::optional<double> value,
                  const Unit& unit) {
-    add(stage, figure, value ? Json(*value) : Json(nullptr), unit);
+    add(stage, figure, number_or_null(value), unit);
   }
 
   void add_counters(const std::string& stage, const std::vector<CounterRecord>& counters) {

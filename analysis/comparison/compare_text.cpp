@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/base/json_text.h"
 #include "analysis/base/markdown_text.h"
 #include "analysis/comparison/compare.h"
 
@@ -151,8 +152,6 @@ Json maker_json(const NamedReport& source) {
           {"version", report.program_version},
           {"commit", report.commit.empty() ? Json(nullptr) : Json(report.commit)}};
 }
-
-Json number_or_null(std::optional<double> number) { return number ? Json(*number) : Json(nullptr); }
 
 Json change_json(const Change& change) {
   return {{"stage", change.stage.empty() ? Json(nullptr) : Json(change.stage)},

@@ -157,10 +157,6 @@ std::vector<int> few_widths(const std::vector<int>& widths) {
   return few;
 }
 
-Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 std::vector<DataColumn> series_columns(std::vector<DataColumn> others) {
   std::vector<DataColumn> columns{
       {"kernel", "Kernel", ""}, {"facet", kWork, ""}, {"lanes", "W", ""}};

@@ -35,9 +35,6 @@ ElementWords element_of(const Report& report);
 /// Widths for charts that have room for a few: all, or the powers of two if there are too many.
 std::vector<int> few_widths(const std::vector<int>& widths);
 
-/// A number, or null.
-nlohmann::ordered_json number_or_null(const std::optional<double>& value);
-
 /// The columns that name a run of a mean over scenes: `kernel`, `facet`, `lanes` (W).
 std::vector<DataColumn> series_columns(std::vector<DataColumn> others);
 

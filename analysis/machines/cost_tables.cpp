@@ -56,8 +56,6 @@ std::vector<Row> cost_rows(const ReportView& view, const Series& series, const R
   return rows;
 }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 Json run_json(const RunRecord& run, const ReportCosts& costs) {
   const RunCost& cost = costs.of(run);
   const bool is_known = cost.missing.empty();
@@ -67,13 +65,13 @@ Json run_json(const RunRecord& run, const ReportCosts& costs) {
     const std::string& name = run.stages[i].name;
     stages.push_back({{"name", name},
                       {"slots", is_known ? Json(cost.stages[i].slots) : Json(nullptr)},
-                      {"slots_per_element", or_null(costs.slots_per_element(run, name))},
-                      {"utilization", or_null(costs.utilization(run, name))}});
+                      {"slots_per_element", number_or_null(costs.slots_per_element(run, name))},
+                      {"utilization", number_or_null(costs.utilization(run, name))}});
   }
   return {{"parameters", configuration_json(run.configuration)},
           {"slots", total ? Json(total->slots) : Json(nullptr)},
-          {"slots_per_element", or_null(costs.slots_per_element(run))},
-          {"utilization", or_null(costs.utilization(run))},
+          {"slots_per_element", number_or_null(costs.slots_per_element(run))},
+          {"utilization", number_or_null(costs.utilization(run))},
           {"stages", std::move(stages)},
           {"missing", cost.missing},
           {"from_observed", cost.from_observed}};

@@ -106,18 +106,24 @@ std::optional<double> Sensitivity::break_even() const {
   return factor < 0.0 ? std::nullopt : std::optional(factor);
 }
 
-std::vector<Sensitivity> sensitivities(const ReportView& view, const KernelPair& pair,
-                                       const MachineDescription& machine, SequenceTrials& trials) {
-  const auto with_factor = [&](const std::string& mnemonic, double factor) {
-    const ReportCosts costs(view.report(), machine, trials, {{mnemonic, factor}});
-    return crossover(view, pair, costs);
-  };
-  std::vector<Sensitivity> all;
-  for (const std::string& mnemonic : mnemonics_of(view.report(), pair))
-    all.push_back({mnemonic, with_factor(mnemonic, 0.5), with_factor(mnemonic, 2.0)});
-  std::stable_sort(all.begin(), all.end(), [](const Sensitivity& a, const Sensitivity& b) {
-    return std::pair(a.moved(), a.changed()) > std::pair(b.moved(), b.changed());
-  });
+std::vector<std::vector<Sensitivity>> sensitivities(const ReportView& view,
+                                                    const std::vector<KernelPair>& pairs,
+                                                    const MachineDescription& machine,
+                                                    SequenceTrials& trials) {
+  std::vector<std::vector<Sensitivity>> all(pairs.size());
+  if (pairs.empty()) return all;
+  // Prices are for all pairs alike.
+  for (const std::string& mnemonic : mnemonics_of(view.report(), pairs.front())) {
+    const ReportCosts halved(view.report(), machine, trials, {{mnemonic, 0.5}});
+    const ReportCosts doubled(view.report(), machine, trials, {{mnemonic, 2.0}});
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      all[i].push_back(
+          {mnemonic, crossover(view, pairs[i], halved), crossover(view, pairs[i], doubled)});
+  }
+  for (std::vector<Sensitivity>& each : all)
+    std::stable_sort(each.begin(), each.end(), [](const Sensitivity& a, const Sensitivity& b) {
+      return std::pair(a.moved(), a.changed()) > std::pair(b.moved(), b.changed());
+    });
   return all;
 }
 

@@ -61,9 +61,11 @@ struct Sensitivity {
   std::optional<double> break_even() const;
 };
 
-/// Of each instruction that runs of the pair issue, those that move the crossing most first; if
-/// they move it equally, those that change the ratio most.
-std::vector<Sensitivity> sensitivities(const ReportView& view, const KernelPair& pair,
-                                       const MachineDescription& machine, SequenceTrials& trials);
+/// For each pair, of each instruction that its runs issue: those that move the crossing most first;
+/// if they move it equally, those that change the ratio most. The pairs are of the same kernels.
+std::vector<std::vector<Sensitivity>> sensitivities(const ReportView& view,
+                                                    const std::vector<KernelPair>& pairs,
+                                                    const MachineDescription& machine,
+                                                    SequenceTrials& trials);
 
 }  // namespace lanescope

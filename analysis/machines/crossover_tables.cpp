@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "analysis/base/json_text.h"
 #include "analysis/machines/cost_tables.h"
@@ -46,10 +47,6 @@ Row row_of(const MachineCrossover& one, const std::vector<int>& widths) {
   return row;
 }
 
-Json crossing_json(const Crossover& crossover) {
-  return crossover.crossing ? Json(*crossover.crossing) : Json(nullptr);
-}
-
 Json widths_json(const Crossover& crossover) {
   Json list = Json::array();
   for (const SlotsAtWidth& at : crossover.widths)
@@ -61,13 +58,14 @@ Json widths_json(const Crossover& crossover) {
 }
 
 Json sensitivity_json(const Sensitivity& one) {
-  const auto even = one.break_even();
   return {{"mnemonic", one.mnemonic},
-          {"halved", {{"crossing", crossing_json(one.halved)}, {"words", one.halved.words()}}},
-          {"doubled", {{"crossing", crossing_json(one.doubled)}, {"words", one.doubled.words()}}},
+          {"halved",
+           {{"crossing", number_or_null(one.halved.crossing)}, {"words", one.halved.words()}}},
+          {"doubled",
+           {{"crossing", number_or_null(one.doubled.crossing)}, {"words", one.doubled.words()}}},
           {"moved_log2", one.moved()},
           {"ratio_changed_log2", one.changed()},
-          {"break_even_factor", even ? Json(*even) : Json(nullptr)}};
+          {"break_even_factor", number_or_null(one.break_even())}};
 }
 
 }  // namespace
@@ -76,20 +74,20 @@ std::vector<MachineCrossover> crossovers(const ReportView& view, const std::stri
                                          const std::string& second,
                                          const std::vector<MachineDescription>& machines) {
   SequenceTrials trials;
-  std::vector<MachineCrossover> all;
-  for (const KernelPair& pair : pairs_of(view, first, second))
-    for (const MachineDescription& machine : machines) {
-      const ReportCosts costs(view.report(), machine, trials);
-      MachineCrossover& one = all.emplace_back();
-      one = {machine,
-             pair,
-             crossover(view, pair, costs),
-             sensitivities(view, pair, machine, trials),
-             notes_on(costs),
-             costs.missing()};
-      std::erase_if(one.sensitivities,
-                    [](const Sensitivity& each) { return each.changed() == 0.0; });
+  const std::vector<KernelPair> pairs = pairs_of(view, first, second);
+  std::vector<std::vector<MachineCrossover>> by_pair(pairs.size());
+  for (const MachineDescription& machine : machines) {
+    const ReportCosts costs(view.report(), machine, trials);
+    auto of_pairs = sensitivities(view, pairs, machine, trials);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      std::erase_if(of_pairs[i], [](const Sensitivity& each) { return each.changed() == 0.0; });
+      by_pair[i].push_back({machine, pairs[i], crossover(view, pairs[i], costs),
+                            std::move(of_pairs[i]), notes_on(costs), costs.missing()});
     }
+  }
+  std::vector<MachineCrossover> all;
+  for (std::vector<MachineCrossover>& each : by_pair)
+    std::move(each.begin(), each.end(), std::back_inserter(all));
   return all;
 }
 
@@ -136,7 +134,7 @@ Json crossover_json(const MachineCrossover& one) {
   json["first"] = one.pair.first.kernel;
   json["second"] = one.pair.second.kernel;
   json["facet"] = one.pair.first.facet;
-  json["crossing"] = crossing_json(one.crossover);
+  json["crossing"] = number_or_null(one.crossover.crossing);
   json["words"] = one.crossover.words();
   json["widths"] = widths_json(one.crossover);
   json["sensitivities"] = std::move(sensitivities);

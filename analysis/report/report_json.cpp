@@ -19,10 +19,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json ratio_json(const Ratio& ratio) {
-  const auto value = ratio.value();
   return {{"numerator", ratio.numerator},
           {"denominator", ratio.denominator},
-          {"value", value ? Json(*value) : Json(nullptr)}};
+          {"value", number_or_null(ratio.value())}};
 }
 
 template <class Record, class Write>

@@ -6,12 +6,9 @@
 
 namespace lanescope {
 
-constexpr const InstructionInfo* kInstructions[] = {&FrameMerge::kInfo, &CompressStore::kInfo,
-                                                    &ExpandLoad::kInfo};
-
 extern const Kernel k_repack_compress;
 const Kernel k_repack_compress =
     repack_kernel("repack_compress", "REPACK with compress_store and expand_load",
-                  most_width_of_repack_compress(), start_repack_compress, kInstructions);
+                  most_width_of_repack_compress(), start_repack_compress);
 
 }  // namespace lanescope

@@ -25,9 +25,6 @@ struct FrameWrite : FrameUpdate<false> {
 };
 inline constexpr Instruction<FrameWrite> frame_write;
 
-/// The instructions of kernels with these steps, beside the instruction set.
-inline constexpr const InstructionInfo* kFrameWriteInstructions[] = {&FrameWrite::kInfo};
-
 /// Of the operands behind the hits, the samples: the last ones before depth and four channels.
 template <class First, class... Rest>
 const auto& sample_of(const First& first, const Rest&... rest) {

@@ -9,6 +9,6 @@ namespace lanescope {
 extern const Kernel k_repack_conflict;
 const Kernel k_repack_conflict = repack_kernel(
     "repack_conflict", "REPACK, hits written in parallel, conflicting ones by themselves",
-    most_width_of_repack_conflict(), start_repack_conflict, kFrameWriteInstructions);
+    most_width_of_repack_conflict(), start_repack_conflict);
 
 }  // namespace lanescope

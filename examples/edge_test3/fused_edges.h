@@ -34,8 +34,4 @@ struct StepsWithFusedEdges : PlainSteps {
   using EdgeTest = FusedEdges;
 };
 
-/// The instructions of kernels with these steps, beside the instruction set.
-inline constexpr const InstructionInfo* kFusedEdgeInstructions[] = {&FrameMerge::kInfo,
-                                                                    &EdgeTest3::kInfo};
-
 }  // namespace lanescope

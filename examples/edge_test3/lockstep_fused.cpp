@@ -9,6 +9,6 @@ namespace lanescope {
 extern const Kernel k_lockstep_fused;
 const Kernel k_lockstep_fused =
     lockstep_kernel("lockstep_fused", "LOCKSTEP with edge_test3, for triangles",
-                    most_width_of_lockstep_fused(), start_lockstep_fused, kFusedEdgeInstructions);
+                    most_width_of_lockstep_fused(), start_lockstep_fused);
 
 }  // namespace lanescope

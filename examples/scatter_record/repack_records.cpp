@@ -6,12 +6,9 @@
 
 namespace lanescope {
 
-constexpr const InstructionInfo* kInstructions[] = {&FrameMerge::kInfo, &ScatterRecord::kInfo,
-                                                    &LoadRecord::kInfo};
-
 extern const Kernel k_repack_records;
 const Kernel k_repack_records =
     repack_kernel("repack_records", "REPACK whose hits carry their edge values",
-                  most_width_of_repack_records(), start_repack_records, kInstructions);
+                  most_width_of_repack_records(), start_repack_records);
 
 }  // namespace lanescope

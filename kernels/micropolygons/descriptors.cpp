@@ -2,6 +2,7 @@
 #include "kernels/micropolygons/descriptors.h"
 
 #include "kernels/micropolygons/counters.h"
+#include "kernels/micropolygons/frame_merge.h"
 #include "kernels/micropolygons/lockstep.h"
 #include "kernels/micropolygons/options.h"
 #include "kernels/micropolygons/repack.h"
@@ -9,20 +10,19 @@
 
 namespace lanescope {
 
-Kernel lockstep_kernel(std::string_view name, std::string_view summary, int most_width,
-                       StartExecution start, std::span<const InstructionInfo* const> instructions) {
+namespace {
+
+/// What both have alike.
+Kernel vector_rasterizer(std::string_view name, std::string_view summary, int most_width,
+                         StartExecution start) {
   return {
       .name = name,
       .summary = summary,
       .workload = &w_micropolygons,
-      .parameters = joined(raster_parameters(), sampling_parameters()),
-      .stages = kLockstepStages,
-      .counters = std::span(kRasterizerCounters).first<kConflictHits + 1>(),
       .sums = kRasterizerSums,
-      .metrics = std::span(kRasterizerMetrics).first<3>(),
       .output_counters = kFrameCounters,
       .element = kMicropolygon,
-      .instructions = instructions,
+      .instructions = kRasterizerInstructions,
       .most_width = most_width,
       .open = open_frame,
       .output_bytes = frame_bytes,
@@ -30,26 +30,27 @@ Kernel lockstep_kernel(std::string_view name, std::string_view summary, int most
   };
 }
 
+}  // namespace
+
+Kernel lockstep_kernel(std::string_view name, std::string_view summary, int most_width,
+                       StartExecution start) {
+  Kernel kernel = vector_rasterizer(name, summary, most_width, start);
+  kernel.parameters = joined(raster_parameters(), sampling_parameters());
+  kernel.stages = kLockstepStages;
+  kernel.counters = std::span(kRasterizerCounters).first<kConflictHits + 1>();
+  kernel.metrics = std::span(kRasterizerMetrics).first<3>();
+  return kernel;
+}
+
 Kernel repack_kernel(std::string_view name, std::string_view summary, int most_width,
-                     StartExecution start, std::span<const InstructionInfo* const> instructions) {
-  return {
-      .name = name,
-      .summary = summary,
-      .workload = &w_micropolygons,
-      .parameters = joined(raster_parameters(), repack_parameters(), sampling_parameters()),
-      .stages = kRepackStages,
-      .counters = kRasterizerCounters,
-      .sums = kRasterizerSums,
-      .metrics = kRasterizerMetrics,
-      .series = kWorkingSetSeries,
-      .output_counters = kFrameCounters,
-      .element = kMicropolygon,
-      .instructions = instructions,
-      .most_width = most_width,
-      .open = open_frame,
-      .output_bytes = frame_bytes,
-      .start = start,
-  };
+                     StartExecution start) {
+  Kernel kernel = vector_rasterizer(name, summary, most_width, start);
+  kernel.parameters = joined(raster_parameters(), repack_parameters(), sampling_parameters());
+  kernel.stages = kRepackStages;
+  kernel.counters = kRasterizerCounters;
+  kernel.metrics = kRasterizerMetrics;
+  kernel.series = kWorkingSetSeries;
+  return kernel;
 }
 
 }  // namespace lanescope

@@ -5,6 +5,7 @@
 
 #include "analysis/annotation/annotation.h"
 #include "analysis/annotation/sources.h"
+#include "analysis/base/json_text.h"
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
 

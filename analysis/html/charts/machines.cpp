@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "analysis/base/json_text.h"
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"
 #include "analysis/html/table_html.h"

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "analysis/base/json_text.h"
 #include "analysis/html/markup.h"
 #include "analysis/html/section.h"
 #include "analysis/html/spec.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/base/json_text.h"
 #include "analysis/html/charts/overhead_chart.h"
 #include "analysis/html/spec.h"
 #include "analysis/tables/means.h"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "analysis/base/json_text.h"
 #include "analysis/studies/luong/comparison.h"
 #include "analysis/studies/luong/figures.h"
 #include "analysis/studies/luong/tables/utilization.h"
@@ -16,8 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json or_null(std::optional<double> value) { return value ? Json(*value) : Json(nullptr); }
-
 Configuration first_configuration(const ReportView& view) {
   const auto& runs = view.report().runs;
   return runs.empty() ? Configuration{} : runs.front().configuration;
@@ -26,7 +25,7 @@ Configuration first_configuration(const ReportView& view) {
 template <class WidthFigure>
 Json over_widths(const WidthFigure& figure) {
   Json list = Json::array();
-  for (const int width : kThesisWidths) list.push_back(or_null(figure(width)));
+  for (const int width : kThesisWidths) list.push_back(number_or_null(figure(width)));
   return list;
 }
 
@@ -52,7 +51,7 @@ Json utilization_json(const ReportView& view, const UtilizationTable& table) {
 Json overhead_json(const ReportView& view) {
   Json shares = Json::object();
   for (const std::string_view stage : kThesisStages)
-    shares[std::string(stage)] = or_null(overhead_over_widths(view, kRepackTriangle, stage));
+    shares[std::string(stage)] = number_or_null(overhead_over_widths(view, kRepackTriangle, stage));
   return {
       {"algorithm", "REPACK"},
       {"overhead", shares},
@@ -66,8 +65,8 @@ Json shape_json(const ReportView& view, const Series& series) {
     counts[std::string(stage)] =
         over_widths([&](int w) { return mean_stage_instructions(view, series, stage, w); });
   counts["Total"] = over_widths([&](int w) { return instructions(view, series, w); });
-  return {{"ste", or_null(sample_test_efficiency(view, series.facet))},
-          {"micropolygons", or_null(micropolygons_rasterized(view, series.facet))},
+  return {{"ste", number_or_null(sample_test_efficiency(view, series.facet))},
+          {"micropolygons", number_or_null(micropolygons_rasterized(view, series.facet))},
           {"ops_per_mp", counts}};
 }
 
@@ -84,8 +83,8 @@ Json working_set_json(const ReportView& view) {
   std::optional<double> maximum;
   for (const int width : kThesisWidths)
     maximum = largest(maximum, largest_working_set(view, kRepackTriangle, width));
-  return {{"average", or_null(average_working_set(view, kRepackTriangle, kClaimWidth))},
-          {"maximum", or_null(maximum)}};
+  return {{"average", number_or_null(average_working_set(view, kRepackTriangle, kClaimWidth))},
+          {"maximum", number_or_null(maximum)}};
 }
 
 Json claims_json(const ReportView& view) {
@@ -94,23 +93,24 @@ Json claims_json(const ReportView& view) {
   const auto per_quad = quotient(instructions(view, kLockstepQuad, kClaimWidth),
                                  instructions(view, kLockstepTriangle, kClaimWidth));
   constexpr int kVertexBytes = kAttributeCount * static_cast<int>(sizeof(float));
-  return {{"quads_total_operations_saved", or_null(saved_by_quads(view, "lockstep", kClaimWidth))},
-          {"quads_ste_over_triangles", or_null(ste)},
-          {"quad_over_triangle_ops_per_mp", or_null(per_quad)},
+  return {{"quads_total_operations_saved",
+           number_or_null(saved_by_quads(view, "lockstep", kClaimWidth))},
+          {"quads_ste_over_triangles", number_or_null(ste)},
+          {"quad_over_triangle_ops_per_mp", number_or_null(per_quad)},
           {"repack_working_set_over_width", working_set_json(view)},
           {"conflict_rate_max_at_w64",
-           or_null(largest(conflicting_invocations(view, kLockstepTriangle, 64),
-                           conflicting_invocations(view, kRepackTriangle, 64)))},
+           number_or_null(largest(conflicting_invocations(view, kLockstepTriangle, 64),
+                                  conflicting_invocations(view, kRepackTriangle, 64)))},
           {"test_and_stream_load_combined_utilization",
-           or_null(test_and_load_utilization(view, kRepackTriangle, kClaimWidth))},
+           number_or_null(test_and_load_utilization(view, kRepackTriangle, kClaimWidth))},
           {"vertex_bytes", kVertexBytes},
           {"triangle_bytes", 3 * kVertexBytes},
-          {"ops_per_mp_at_w16", or_null(instructions(view, kLockstepTriangle, kClaimWidth))},
+          {"ops_per_mp_at_w16", number_or_null(instructions(view, kLockstepTriangle, kClaimWidth))},
           {"larrabee_units_at_60fps",
-           {{"triangles", or_null(larrabee_units(view, kLockstepTriangle))},
-            {"quads", or_null(larrabee_units(view, kLockstepQuad))},
+           {{"triangles", number_or_null(larrabee_units(view, kLockstepTriangle))},
+            {"quads", number_or_null(larrabee_units(view, kLockstepQuad))},
             {"vector_ops_per_second",
-             or_null(instructions_per_second(view, kLockstepTriangle, false))}}}};
+             number_or_null(instructions_per_second(view, kLockstepTriangle, false))}}}};
 }
 
 }  // namespace

@@ -202,7 +202,7 @@ TEST(Crossovers, AreMovedByTheCostOfAnInstruction) {
   SequenceTrials trials;
   const auto pairs = pairs_of(ReportView(report), "lockstep", "repack");
   ASSERT_EQ(pairs.size(), 1u);
-  const auto all = sensitivities(ReportView(report), pairs[0], flat, trials);
+  const auto all = sensitivities(ReportView(report), pairs, flat, trials)[0];
   ASSERT_EQ(all.size(), 2u);
   // hmax at half: 1.25, 0.75, ...: from 1.25 to 0.75 the middle of 4 and 8. At double:
   // 2, 1.5, 1.25.
